@@ -299,6 +299,12 @@ def test_wrong_actuators_are_refused(tmp_path: Path) -> None:
         RobotActuator("a", "j", gear=0)
     with pytest.raises(ValueError, match=r"forceRange: expected \[lower, upper\] with lower <= upper"):
         RobotActuator("a", "j", forceRange=(2, 1))
+    with pytest.raises(ValueError, match="RobotActuator 'a': expected a joint, a tendon or a frame, received '', ''"):
+        RobotActuator("a")
+    with pytest.raises(ValueError, match="dynamics, and forces that depend on lengths, need a joint, not a frame"):
+        RobotActuator("a", frame="tip", bias=(0, -1, 0))
+    with pytest.raises(ValueError, match="there is no link or joint 'z'"):
+        robot.AddActuator(RobotActuator("z", frame="z"))
     with pytest.raises(ValueError, match="dynamics: expected one of none, filter, integrator"):
         RobotActuator("a", "j", dynamics="muscle")
     mbs = exu.SystemContainer().AddSystem()
@@ -647,3 +653,30 @@ def test_cables_are_those_of_mujoco(name: str, tmp_path: Path, monkeypatch: pyte
         np.testing.assert_allclose(accelerations(robot, q, v), data.qacc, **close)
     tree, rigid = (tip_of(robot, redundant) for redundant in (False, True))
     np.testing.assert_allclose(rigid, tree, atol=1e-4)  # as above; the springs oscillate
+
+
+THRUSTERS = (
+    '<motor name="a" site="tip" gear="1 2 -3 .5 -.2 .7"/><motor name="b" site="side" gear="0 0 1" ctrlrange="-.4 .3"/>'
+    '<general name="c" site="turned" gear="0 0 0 0 2 1" gainprm="3" forcerange="-2 1"/>'
+)
+
+
+def test_thrusters_are_those_of_mujoco(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Forces and torques on sites, in their axes; also of rigid bodies, after a motion."""
+    monkeypatch.chdir(tmp_path)
+    bodies = arm().replace(
+        '<body name="fixed"', '<site name="turned" pos=".1 0 .2" euler="40 50 60"/><body name="fixed"'
+    )
+    text = model(bodies.replace('armature=".1"', ""), "", f"<actuator>{THRUSTERS}</actuator>")
+    robot, told = read(tmp_path / "robot.xml", text)
+    assert told == []
+    mujoco, made, data = in_mujoco(tmp_path / "robot.xml")
+    for q, v, u in states(made.nv):
+        data.qpos[:], data.qvel[:], data.ctrl[:] = q, v, u[:3]
+        mujoco.mj_forward(made, data)
+        close = {"rtol": 1e-10, "atol": 1e-10 * np.abs(data.qacc).max()}
+        np.testing.assert_allclose(robot.ActuatorForces(u[:3], q, v), data.qfrc_actuator, **close)
+        np.testing.assert_allclose(accelerations(robot, q, v, u[:3]), data.qacc, **close)
+    robot.actuators["a"].control, robot.actuators["b"].control = 1.0, lambda t: 0.2 * np.cos(t)
+    tree, rigid = (tip_of(robot, redundant) for redundant in (False, True))
+    np.testing.assert_allclose(rigid, tree, atol=1e-4)  # as above

@@ -177,7 +177,10 @@ SUPPORT = '<asset><mesh name="m" inertia="convex" vertex="0 0 0 1 0 0 0 1 0 0 0 
 LEFT_OUT = {
     "actuators <muscle>: 'm'": actuated('<muscle name="m" joint="j"/>'),
     "actuators with dyntype muscle: 'm'": actuated('<general name="m" joint="j" dyntype="muscle"/>'),
-    "actuators that act on site: 'actuator 0'": actuated('<motor site="t"/>', BOX + '<site name="t"/>'),
+    "actuators on sites other than motors without refsite: 'actuator 0', 'm'": actuated(
+        '<motor site="t" refsite="t"/><velocity name="m" site="t"/>', BOX + '<site name="t"/>'
+    ),
+    "actuators that act on body: 'actuator 0'": actuated('<general body="b"/>'),
     "actuators of ball joints: 'j'": actuated('<motor joint="j"/>', joint='<joint name="j" type="ball"/>'),
     "armature of actuators 'j'": actuated('<motor joint="j" armature="2"/>'),
     "actuatorfrcrange of joints with several actuators, or with those of tendons: 'j'": actuated(

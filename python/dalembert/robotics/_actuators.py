@@ -8,8 +8,8 @@ from inspect import Parameter, Signature
 from typing import TYPE_CHECKING, Any
 
 from dalembert import laws
-from dalembert._checks import as_number, as_vector, shape_error
-from dalembert.robotics._tendons import add_force
+from dalembert._checks import FloatArray, as_number, as_vector, shape_error
+from dalembert.robotics._tendons import AddMarker, add_force, place_of
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
@@ -28,12 +28,15 @@ class RobotActuator:
     control the gain (kv, 0, 0) and the bias (0, 0, -kv). Control and f stay in their ranges. control is the value at
     the start, or a function of time, which is recorded as those of dalembert.laws.
 
+    Instead of a joint, an actuator may have a frame, a name as in Robot.FrameHT: a thruster with the force and torque
+    wrench * f, six components in the axes of the frame. Its gain and bias have one number that is not zero.
+
     With dynamics, u is an activation: 'filter' is u_t = (control - u) / timeConstant, 'integrator' u_t = control, which
     stays in activationRange; activation is the value at the start.
     """
 
     name: str
-    joint: str
+    joint: str = ""
     gear: float = 1.0
     gain: Sequence[float] = (1.0, 0.0, 0.0)
     bias: Sequence[float] = (0.0, 0.0, 0.0)
@@ -44,6 +47,8 @@ class RobotActuator:
     timeConstant: float = 1.0
     activationRange: Sequence[float] | None = None
     activation: float = 0.0
+    frame: str = ""
+    wrench: Sequence[float] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         where = f"RobotActuator '{self.name}'"
@@ -55,6 +60,11 @@ class RobotActuator:
             setattr(self, what, tuple(as_vector(f"{where}: {what}", getattr(self, what), 3).tolist()))
         if not any(self.gain) or not as_number(f"{where}: gear", self.gear):
             raise ValueError(f"{where}: expected a gear and a gain that are not zero, received {self.gear} {self.gain}")
+        self.wrench = as_vector(f"{where}: wrench", self.wrench, 6).tolist()
+        if bool(self.joint) == bool(self.frame):
+            raise ValueError(f"{where}: expected a joint, a tendon or a frame, received {self.joint!r}, {self.frame!r}")
+        if self.frame and (self.dynamics != "none" or any([*self.gain[1:], *self.bias[1:]])):
+            raise ValueError(f"{where}: dynamics, and forces that depend on lengths, need a joint, not a frame")
         for what in ("controlRange", "forceRange", "activationRange"):
             given = getattr(self, what)
             if given is not None:
@@ -138,10 +148,36 @@ def add_to_tendon(robot: Robot, mbs: Any, node: Any, actuator: RobotActuator) ->
     return add_force(robot, mbs, node, factors, tension, constants)
 
 
+def add_thruster(robot: Robot, mbs: Any, actuator: RobotActuator, marker: AddMarker) -> list[Any]:
+    """Add the force and the torque of a thruster, as far as they are not zero."""
+    given, (placed, A) = actuator.control, marker(*place_of(robot, actuator.frame))
+    loads = []
+    for kind, part in (("force", actuator.wrench[:3]), ("torque", actuator.wrench[3:])):
+        direction = A @ part
+        if not direction.any():
+            continue
+
+        def wrench(t: Any, direction: FloatArray = direction, **constants: Any) -> list[Any]:
+            force = actuator.Force(constants["control"] if constants else given(t), 0.0, 0.0)  # type: ignore[operator]
+            return [component * force for component in direction]
+
+        parameters = [Parameter("t", Parameter.POSITIONAL_OR_KEYWORD)]
+        if not callable(given):
+            start = as_number(f"RobotActuator '{actuator.name}': control", given)
+            parameters.append(Parameter("control", Parameter.POSITIONAL_OR_KEYWORD, default=start))
+        vars(wrench)["__signature__"] = Signature(parameters)
+        loads.append(mbs.AddLoad(laws.load(kind)(wrench)(placed, bodyFixed=True)))
+    return loads
+
+
 def control_parameters(mbs: Any, objects: dict[str, Any]) -> dict[str, str]:
     """Return the names of the parameters that are the controls of actuators; empty where it is a function of time."""
     found = {}
     for name, item in objects.items():
+        if isinstance(item, list):
+            reads = [load for load in item if "control" in mbs.GetLoad(load)["loadVectorUserFunction"]._Variables()]
+            found[name] = "loadVectorUserFunction.control" if reads else ""
+            continue
         functions = {row: value for row, value in mbs.GetObject(item).items() if row.endswith("UserFunction") and value}
         rows = [row for row, function in functions.items() if "control" in function._Variables()]
         found[name] = f"{rows[0]}.control" if rows else ""

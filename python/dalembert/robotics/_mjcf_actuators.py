@@ -11,7 +11,7 @@ from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._description import Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_elements import Notes, Options
-from dalembert.robotics._mjcf_tendons import Tendons
+from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
@@ -99,6 +99,12 @@ def _next(element: Element, law: _Law) -> _Law:
     return replace(law, kind=element.tag)
 
 
+def _wrench(element: Element) -> list[float]:
+    """Return the six components of the gear of an actuator on a site."""
+    given = element.numbers("gear", (1, 6), "1").tolist()
+    return [*given, *[0.0] * (6 - len(given))]
+
+
 class Actuators:
     """The actuators of a file; complete() adds them to the robot."""
 
@@ -119,7 +125,7 @@ class Actuators:
         self.read: list[tuple[RobotActuator, _Law]] = []
         for element in (child for group in root.every("actuator") for child in group.children):
             self._take(element)
-        targets = [actuator.joint for actuator, _ in self.read]
+        targets = [actuator.joint for actuator, _ in self.read if actuator.joint]
         acted = [joint for target in targets for joint in tendons.factors.get(target, [target])]
         self.several = {target for target in targets if targets.count(target) > 1 or acted.count(target) > 1}
         for joint in dict.fromkeys(acted):
@@ -155,13 +161,14 @@ class Actuators:
             if element.number(what, "0"):
                 self.notes.add(f"{what} of actuators", name)
         gear = float(element.numbers("gear", (1, 6), "1")[0])
-        if not gear or not any(law.gain):
+        is_thruster = "site" in element.attributes
+        if not (any(_wrench(element)) if is_thruster else gear) or not any(law.gain):
             self.notes.add("actuators without a gear or gain:", name)
             return
         actuator = RobotActuator(
             name,
-            target,
-            gear,
+            "" if is_thruster else target,
+            1.0 if is_thruster else gear,
             law.gain if law.gain_type == "affine" else (law.gain[0], 0.0, 0.0),
             law.bias if law.bias_type == "affine" else (0.0, 0.0, 0.0),
             None if "clampctrl" in self.options.off else self._range(element, "ctrlrange"),
@@ -169,6 +176,8 @@ class Actuators:
             dynamics=_DYNAMICS[law.dynamics],
             timeConstant=law.time,
             activationRange=self._range(element, "actrange"),
+            frame=target if is_thruster else "",
+            wrench=_wrench(element) if is_thruster else [0.0] * 6,
         )
         self.read.append((actuator, law))
 
@@ -177,6 +186,11 @@ class Actuators:
         name = element.text("joint", element.text("jointinparent", ""))
         if name and name not in self.joints:
             element.fail(f"there is no joint '{name}'; there are: {', '.join(self.joints) or 'none with a name'}")
+        if "site" in element.attributes:
+            name = site_frame(element.text("site"), self.tendons.bodies)
+            if name not in self.tendons.sites:
+                element.fail(f"there is no site '{name}'; there are: {', '.join(self.tendons.sites) or 'none'}")
+            return name
         tendon = element.text("tendon", "")
         return name or (tendon if tendon in self.tendons.factors else "")
 
@@ -191,6 +205,11 @@ class Actuators:
         if not target:
             others = ("tendon", "site", "body")
             return "that act on " + next((what for what in others if what in element.attributes), "others")
+        if "site" in element.attributes:
+            linear = law.dynamics == "none" and law.bias_type == "none" and law.gain_type == "fixed"
+            return (
+                "" if linear and "refsite" not in element.attributes else "on sites other than motors without refsite"
+            )
         if target in self.tendons.factors:
             return f"with dyntype {law.dynamics} on tendons" if law.dynamics != "none" else ""
         kind = self.joints[target].kind
@@ -208,6 +227,9 @@ class Actuators:
     def complete(self, robot: Robot) -> None:
         """Add the actuators; some depend on the inertias and the limits of their joints."""
         for actuator, law in self.read:
+            if actuator.frame:
+                robot.AddActuator(actuator)
+                continue
             target, factors = actuator.joint, actuator.gear * factors_of(robot, actuator.joint)
             if law.ratio > 0:  # of the motion of the transmission alone
                 mass = robot.MassMatrix(robot.referenceConfiguration)

@@ -20,7 +20,7 @@ from dalembert.create._frames import reference_rotation
 from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics, _tendons
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
-from dalembert.robotics._tendons import place_of
+from dalembert.robotics._tendons import AddMarker, place_of
 from dalembert.robotics._tree import add_supports
 
 if TYPE_CHECKING:
@@ -231,10 +231,13 @@ def _add_connector(mbs: Any, link: RobotLink, q: float, ends: Ends, law: Any, **
     )
 
 
-def _add_actuators(robot: Robot, mbs: Any, ends_of: list[Ends]) -> dict[str, Any]:
-    """Add the actuators between the markers of their joints."""
-    objects = {}
+def _add_actuators(robot: Robot, mbs: Any, ends_of: list[Ends], marker: AddMarker) -> dict[str, Any]:
+    """Add the actuators between the markers of their joints, or on frames."""
+    objects: dict[str, Any] = {}
     for name, actuator in robot.actuators.items():
+        if actuator.frame:
+            objects[name] = _actuators.add_thruster(robot, mbs, actuator, marker)
+            continue
         i = robot.GetJointIndex(actuator.joint)
         link, ends = robot.links[i], ends_of[i]
         if is_revolute(link.jointType):
@@ -310,5 +313,5 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker),
         "tendons": _tendons.add_cables(robot, mbs, marker, (0.0, 0.0)),
-        **_add_actuators(robot, mbs, ends_of),
+        **_add_actuators(robot, mbs, ends_of, marker),
     }

@@ -106,7 +106,7 @@ class Robot:
             raise TypeError(f"Robot.AddActuator: received {actuator!r}, but expected a RobotActuator(...)")
         if actuator.name in self.actuators:
             raise ValueError(f"Robot.AddActuator: there is another '{actuator.name}' already; names must differ")
-        factors_of(self, actuator.joint)
+        _ = place_of(self, actuator.frame) if actuator.frame else factors_of(self, actuator.joint)
         self.actuators[actuator.name] = actuator
 
     def AddTendon(self, tendon: RobotTendon) -> None:
@@ -345,9 +345,23 @@ class Robot:
         values = np.moveaxis(self._controls("Robot.ActuatorForces", controls), -1, 0)
         total = np.zeros(np.broadcast_shapes(at.shape, (*values.shape[1:], len(self.links))))
         for actuator, u in zip(self.actuators.values(), values, strict=True):
+            if actuator.frame:
+                total += np.asarray(actuator.Force(u, 0.0, 0.0))[..., None] * self._wrench(actuator, at)
+                continue
             factors = actuator.gear * factors_of(self, actuator.joint)
             total += np.multiply.outer(actuator.Force(u, at @ factors, rates @ factors), factors)
         return total
+
+    def _wrench(self, actuator: RobotActuator, q: FloatArray) -> FloatArray:
+        """Return the forces in the joints of a thruster with a force of one."""
+        link, T = place_of(self, actuator.frame)
+        if link < 0:
+            return np.zeros_like(q)
+        frames = self.JointHT(q)
+        place = np.asarray(frames[link] @ self.links[link].localHT @ T)
+        force, torque = (place[..., :3, :3] @ part for part in np.reshape(actuator.wrench, (2, 3)))
+        J = self.Jacobian(frames, place[..., :3, 3], "all", link)
+        return np.einsum("...i,...ij->...j", np.concatenate([force, torque], axis=-1), J)
 
     def _controls(self, where: str, controls: npt.ArrayLike | Mapping[str, float]) -> FloatArray:
         """Return controls in the order of the actuators."""
@@ -375,7 +389,10 @@ class Robot:
                 continue
             if not made["controls"][name]:
                 raise ValueError(f"Robot.SetControls: the control of actuator '{name}' is a function of time")
-            mbs.SetObjectParameter(made["actuators"][name], made["controls"][name], float(value))
+            items = made["actuators"][name]
+            for item in items if isinstance(items, list) else [items]:
+                change = mbs.SetLoadParameter if isinstance(items, list) else mbs.SetObjectParameter
+                change(item, made["controls"][name], float(value))
 
     def _support(self, q: FloatArray, gravity: npt.ArrayLike | None) -> FloatArray | float:
         """Return the forces in the joints that carry the weight of supported masses."""

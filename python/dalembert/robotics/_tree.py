@@ -135,10 +135,15 @@ def _coordinate_of(mbs: Any, node: Any) -> Callable[[int], Any]:
     return marker
 
 
-def _add_actuators(robot: Robot, mbs: Any, node: Any, coordinate: Callable[[int], Any]) -> dict[str, Any]:
-    """Add the actuators between their joints and ground, or on the coordinates of tendons."""
-    objects = {}
+def _add_actuators(
+    robot: Robot, mbs: Any, node: Any, coordinate: Callable[[int], Any], place: AddMarker
+) -> dict[str, Any]:
+    """Add the actuators between their joints and ground, on the coordinates of tendons, or on frames."""
+    objects: dict[str, Any] = {}
     for name, actuator in robot.actuators.items():
+        if actuator.frame:
+            objects[name] = _actuators.add_thruster(robot, mbs, actuator, place)
+            continue
         if actuator.joint in robot.tendons:
             objects[name] = _actuators.add_to_tendon(robot, mbs, node, actuator)
             continue
@@ -271,5 +276,5 @@ def create(
         "tendons": _tendons.add(robot, mbs, node, stops) | _tendons.add_cables(robot, mbs, marker, stops),
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker, node, coordinate),
-        **_add_actuators(robot, mbs, node, coordinate),
+        **_add_actuators(robot, mbs, node, coordinate, marker),
     }
