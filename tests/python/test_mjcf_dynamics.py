@@ -680,3 +680,20 @@ def test_thrusters_are_those_of_mujoco(tmp_path: Path, monkeypatch: pytest.Monke
     robot.actuators["a"].control, robot.actuators["b"].control = 1.0, lambda t: 0.2 * np.cos(t)
     tree, rigid = (tip_of(robot, redundant) for redundant in (False, True))
     np.testing.assert_allclose(rigid, tree, atol=1e-4)  # as above
+
+
+def test_forces_of_many_states(tmp_path: Path) -> None:
+    """Arrays of states give the forces of each state: springs, weight, tendons, cables and actuators."""
+    drives = '<motor joint="s"/><position tendon="t" kp="3"/><motor site="tip" gear="1 2 3 4 5 6"/>'
+    joints = arm('stiffness="3"', "", "", "", bodies=('gravcomp="1"', 'gravcomp=".5"', ""))
+    spatial = '<spatial name="c" stiffness="30" damping="2"><site site="tip"/><site site="side"/></spatial>'
+    fixed = FIXED.format('stiffness="3"')
+    tendons = f"<tendon>{fixed}{spatial}</tendon><actuator>{drives}</actuator>"
+    robot, told = read(tmp_path / "robot.xml", model(joints, "", tendons))
+    assert told == []
+    q, v, u = np.random.default_rng(2).uniform(-1, 1, (3, 5, 2, 4))
+    passive, driven = robot.PassiveForces(q, v), robot.ActuatorForces(u[..., :3], q, v)
+    assert passive.shape == driven.shape == q.shape
+    for i in np.ndindex(5, 2):
+        np.testing.assert_allclose(passive[i], robot.PassiveForces(q[i], v[i]), atol=1e-12)
+        np.testing.assert_allclose(driven[i], robot.ActuatorForces(u[i][:3], q[i], v[i]), atol=1e-12)

@@ -17,7 +17,7 @@ from dalembert._geometry.rigid_transformation import HT as HomogeneousTransforma
 from dalembert._geometry.rigid_transformation import sharing
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
-from dalembert.robotics import _drawing, _redundant, _tree
+from dalembert.robotics import _drawing, _forces, _redundant, _tree
 from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
@@ -322,16 +322,8 @@ class Robot:
     def PassiveForces(self, q: npt.ArrayLike, q_t: npt.ArrayLike, gravity: npt.ArrayLike | None = None) -> FloatArray:
         """Return forces in the joints: springs, damping and friction of joints, tendons, cables; supported masses."""
         at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
-        k, q0 = (np.array([getattr(link, what) for link in self.links]) for what in ("stiffness", "springReference"))
-        forces = -k * (at - q0) - self.JointResistance(rates)
-        for tendon in self.tendons.values():
-            factors = tendon.Factors(self)
-            forces = forces - np.multiply.outer(tendon.Tension(at @ factors, rates @ factors), factors)
-        for cable in self.cables.values():
-            length, factors = cable.Kinematics(self, at)
-            tension = cable.Tension(length, np.sum(rates * factors, axis=-1))
-            forces = forces - np.asarray(tension)[..., None] * factors
-        return np.asarray(forces + self._support(at, gravity))
+        weight = -(self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3))
+        return _forces.passive(self, at, rates, weight)
 
     def ActuatorForces(
         self, controls: npt.ArrayLike | Mapping[str, float], q: npt.ArrayLike, q_t: npt.ArrayLike
@@ -343,25 +335,7 @@ class Robot:
         """
         at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
         values = np.moveaxis(self._controls("Robot.ActuatorForces", controls), -1, 0)
-        total = np.zeros(np.broadcast_shapes(at.shape, (*values.shape[1:], len(self.links))))
-        for actuator, u in zip(self.actuators.values(), values, strict=True):
-            if actuator.frame:
-                total += np.asarray(actuator.Force(u, 0.0, 0.0))[..., None] * self._wrench(actuator, at)
-                continue
-            factors = actuator.gear * factors_of(self, actuator.joint)
-            total += np.multiply.outer(actuator.Force(u, at @ factors, rates @ factors), factors)
-        return total
-
-    def _wrench(self, actuator: RobotActuator, q: FloatArray) -> FloatArray:
-        """Return the forces in the joints of a thruster with a force of one."""
-        link, T = place_of(self, actuator.frame)
-        if link < 0:
-            return np.zeros_like(q)
-        frames = self.JointHT(q)
-        place = np.asarray(frames[link] @ self.links[link].localHT @ T)
-        force, torque = (place[..., :3, :3] @ part for part in np.reshape(actuator.wrench, (2, 3)))
-        J = self.Jacobian(frames, place[..., :3, 3], "all", link)
-        return np.einsum("...i,...ij->...j", np.concatenate([force, torque], axis=-1), J)
+        return _forces.of_actuators(self, values, at, rates)
 
     def _controls(self, where: str, controls: npt.ArrayLike | Mapping[str, float]) -> FloatArray:
         """Return controls in the order of the actuators."""
@@ -393,19 +367,6 @@ class Robot:
             for item in items if isinstance(items, list) else [items]:
                 change = mbs.SetLoadParameter if isinstance(items, list) else mbs.SetObjectParameter
                 change(item, made["controls"][name], float(value))
-
-    def _support(self, q: FloatArray, gravity: npt.ArrayLike | None) -> FloatArray | float:
-        """Return the forces in the joints that carry the weight of supported masses."""
-        if not any(link.supported for link in self.links):
-            return 0.0
-        weight = -(self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3))
-        frames, total = self.JointHT(q), np.zeros_like(q)
-        for i, link in enumerate(self.links):
-            for mass, place in link.supported:
-                T = np.asarray(frames[i] @ link.localHT)
-                point = T[..., :3, 3] + T[..., :3, :3] @ place
-                total += mass * (weight @ self.Jacobian(frames, point, "trans", i))
-        return total
 
     def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
         """Return the mass matrix in the coordinates of the joints."""
