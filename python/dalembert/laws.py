@@ -37,6 +37,7 @@ __all__ = [
     "atan2",
     "connector",
     "constraint",
+    "forces_of_coordinates",
     "interpolate",
     "load",
     "maximum",
@@ -284,6 +285,24 @@ def constraint(coordinates0: int, coordinates1: int) -> Callable[[Callable[..., 
         return Law(function, _CONSTRAINT, recorded, constants, fixed, _LEFT_OUT)
 
     return made
+
+
+def forces_of_coordinates(
+    function: Callable[..., Any], coordinates: int, constants: dict[str, float] | None = None
+) -> Any:
+    """Record a function as the forceUserFunction of ObjectGenericODE2 or ObjectKinematicTree.
+
+    f(q, q_t, t, **constants) returns one force per coordinate; q and q_t are the coordinates of the object, relative to
+    their reference values, and their rates.
+    """
+    with _recording():
+        t, item = _symbolic.Real("t", 0.0)._Open(), _symbolic.Real("itemNumber", 0.0)._Open()
+        q, q_t = (_symbolic.Vector(name, np.zeros(coordinates))._Open() for name in ("q", "q_t"))
+        returned = _run(function, [_entries(q), _entries(q_t), t], constants or {})
+        forces = [_number(each) for each in _flat(function, returned, coordinates)]
+        recorded = _function(function, [t, item, q, q_t], _symbolic.Vector(forces))
+        _require_read(function, constants or {}, recorded)
+        return recorded
 
 
 def _chosen(decorator: str, kind: str, kinds: dict[str, _Kind]) -> _Kind:

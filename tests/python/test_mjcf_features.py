@@ -1,4 +1,4 @@
-"""Elements of MJCF files are read as by MuJoCo, or named in a warning; compared with MuJoCo where that is installed."""
+"""Elements of MJCF and URDF files are read as by MuJoCo and Pinocchio, where these are installed, or named."""
 
 from __future__ import annotations
 
@@ -13,11 +13,21 @@ from dalembert.robotics.utilities import ReadRobot
 
 BOX = '<geom type="box" size=".1 .2 .3" pos=".3 0 0"/>'  # 48 kg
 BOX_ABOUT_Y = 48 * (0.1**2 + 0.3**2) / 3 + 48 * 0.3**2
+OTHER = '<body name="c"><joint name="k" axis="1 0 0"/><geom size=".1"/></body>'
 BALL = 1000 * 4 / 3 * np.pi * 0.1**3
 
 
 def hinged(content: str = BOX, before: str = "", joint: str = '<joint name="j" axis="0 1 0"/>', body: str = "") -> str:
     return f'<mujoco>{before}<worldbody><body name="b" {body}>{joint}{content}</body></worldbody></mujoco>'
+
+
+def actuated(actuator: str, content: str = BOX, joint: str = '<joint name="j" axis="0 1 0"/>') -> str:
+    return hinged(content, joint=joint).replace("</mujoco>", f"<actuator>{actuator}</actuator></mujoco>")
+
+
+def related(constraint: str, content: str = "") -> str:
+    third = '<body name="e"><joint name="i" type="ball"/><geom size=".1"/></body>'
+    return hinged(BOX + content + OTHER + third).replace("</mujoco>", f"<equality>{constraint}</equality></mujoco>")
 
 
 # Files with the first entry of their mass matrix, by formulas; nothing is left out of them.
@@ -164,33 +174,54 @@ def test_agreement_with_mujoco(name: str, tmp_path: Path, monkeypatch: pytest.Mo
 
 
 SUPPORT = '<asset><mesh name="m" inertia="convex" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset>'
-OTHER = '<body name="c"><joint name="k" axis="1 0 0"/><geom size=".1"/></body>'
 LEFT_OUT = {
-    "<actuator>": hinged().replace("</mujoco>", '<actuator><motor joint="j"/></actuator></mujoco>'),
-    "<equality> (loops that it closes are open)": hinged(BOX + OTHER).replace(
-        "</mujoco>", '<equality><joint joint1="j" joint2="k"/></equality></mujoco>'
+    "actuators <muscle>: 'm'": actuated('<muscle name="m" joint="j"/>'),
+    "actuators with dyntype muscle: 'm'": actuated('<general name="m" joint="j" dyntype="muscle"/>'),
+    "actuators on sites other than motors without refsite: 'actuator 0', 'm'": actuated(
+        '<motor site="t" refsite="t"/><velocity name="m" site="t"/>', BOX + '<site name="t"/>'
     ),
-    "<keyframe>": hinged().replace("</mujoco>", '<keyframe><key qpos="0.7"/></keyframe></mujoco>'),
+    "actuators that act on body: 'actuator 0'": actuated('<general body="b"/>'),
+    "actuators of ball joints: 'j'": actuated('<motor joint="j"/>', joint='<joint name="j" type="ball"/>'),
+    "armature of actuators 'j'": actuated('<motor joint="j" armature="2"/>'),
+    "actuatorfrcrange of joints with several actuators, or with those of tendons: 'j'": actuated(
+        '<motor joint="j"/><motor joint="j"/>', joint='<joint name="j" actuatorfrcrange="-1 2"/>'
+    ),
+    "actuatorgravcomp of joints with actuatorfrcrange: 'j'": hinged(
+        joint='<joint name="j" actuatorfrcrange="-1 2" actuatorgravcomp="true"/>'
+    ),
+    "spatial tendons that are not between two sites: 'u', constraints of tendons that are not fixed: 't'": related(
+        '<tendon name="t" tendon1="u"/>'
+    ).replace("</mujoco>", '<tendon><spatial name="u"/></tendon></mujoco>'),
+    "constraints of ball joints: 'joint-i'": related('<joint joint1="i"/>'),
+    "constraints with torquescale 0: 'weld-b'": related('<weld body1="b" torquescale="0"/>'),
+    "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
+        "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
+    ),
+    "contact with geoms of the world 'floor', 'box'": hinged(BOX).replace(
+        "<worldbody>",
+        '<worldbody><geom name="floor" type="plane" size="1 1 1"/><geom type="box" size="1 1 1" contype="0"/>'
+        '<geom size=".1" contype="0" conaffinity="0"/>',
+    ),
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),
-    "<flag damper='disable'>": hinged(before='<option><flag damper="disable"/></option>'),
     "alignfree of <compiler>": hinged(before='<compiler alignfree="true"/>'),
     "align of free joints 'f'": hinged(joint='<freejoint name="f" align="true"/>'),
     "<attach> in bodies 'b'": hinged(BOX + '<attach model="m" prefix="p"/>'),
     "<composite> in bodies 'b'": hinged(BOX + '<composite type="cable"/>'),
     "<flexcomp> in bodies 'b'": hinged(BOX + '<flexcomp type="grid"/>'),
-    "gravcomp of bodies 'b'": hinged(body='gravcomp="1"'),
-    "stiffness of joints 'j'": hinged(joint='<joint name="j" stiffness="2"/>'),
-    "springdamper of joints 'j'": hinged(joint='<joint name="j" springdamper=".1 1"/>'),
     "shellinertia of ellipsoids and meshes, which are taken for solid, of bodies 'b'": hinged(
         '<geom type="ellipsoid" size=".1 .2 .3" shellinertia="true"/>'
     ),
     "mass of geoms of type sdf of bodies 'b'": hinged(BOX + '<geom type="sdf" mesh="m"/>'),
+    "coefficients of higher order of stiffness of joints 'j'": hinged(joint='<joint name="j" stiffness="2 1"/>'),
+    "springdamper of ball and free joints 'j'": hinged(joint='<joint name="j" type="ball" springdamper=".1 1"/>'),
     "frictionloss of ball and free joints 'j'": hinged(joint='<joint name="j" type="ball" frictionloss="1"/>'),
     "range of ball joints 'j'": hinged(joint='<joint name="j" type="ball" range="0 30"/>'),
     "armature against angular velocities, which acts on rates of angles, of joints 'j'": hinged(
         joint='<joint name="j" type="ball" armature=".5"/>'
     ),
-    "sites that have names of bodies: 'b'": hinged(BOX + '<site name="b" pos="1 0 0"/>'),
+    "names of sites that are names of bodies (the sites are called 'name (site)') 'b'": hinged(
+        BOX + '<site name="b" pos="1 0 0"/>'
+    ),
     "convex inertia of meshes, which exact volumes replace, of bodies 'b'": hinged(
         '<geom type="mesh" mesh="m"/>', SUPPORT
     ),
@@ -205,8 +236,9 @@ def test_ignored_elements_are_named(what: str, tmp_path: Path) -> None:
 
 
 def test_names_of_bodies_go_before_those_of_sites(tmp_path: Path) -> None:
-    robot, _ = read(tmp_path / "robot.xml", LEFT_OUT["sites that have names of bodies: 'b'"])
+    robot, _ = read(tmp_path / "robot.xml", hinged(BOX + '<site name="b" pos="1 0 0"/>'))
     assert robot.FrameHT("b", [0.0])[:3, 3] == pytest.approx([0, 0, 0])
+    assert robot.FrameHT("b (site)", [0.0])[:3, 3] == pytest.approx([1, 0, 0])
 
 
 def test_meshes_that_lie_in_themselves_are_named(tmp_path: Path) -> None:
@@ -271,6 +303,37 @@ def test_followers_of_followers(tmp_path: Path) -> None:
     circle = urdf(fingers[1].replace('joint="ja"', 'joint="jc"'), fingers[2])
     with pytest.raises(ValueError, match="mimic: expected a joint that moves by itself"):
         read(tmp_path / "robot.urdf", circle)
+
+
+def test_transmissions_are_named(tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf"
+    drive = '<transmission name="{}"><joint name="j"/><actuator name="m"/></transmission>'
+    text = urdf(LINK.format("a", 0, 1), JOINT.format("j", "revolute", "base", "a", LIMIT), *map(drive.format, "de"))
+    _, told = read(path, text)
+    assert told == [f"{path}: left out: <transmission> 'd', 'e'"]
+
+
+def test_followers_are_those_of_pinocchio(tmp_path: Path) -> None:
+    """Inverse dynamics in the coordinates that are free; Pinocchio has one coordinate for both joints."""
+    pin = pytest.importorskip("pinocchio", reason="pin is installed by the extra [oracles]", exc_type=ImportError)
+    offset = '<origin xyz="0.3 0.1 0.2" rpy="0.4 0.5 0.6"/>'
+    heavy = '<inertial><origin xyz=".1 .2 .3"/>'
+    parts = [LINK.format("a", 0.1, 1), LINK.format("b", 0.2, 1), LINK.format("c", 0, 1)]
+    joints = [
+        JOINT.format("ja", "revolute", "base", "a", LIMIT),
+        JOINT.format("jb", "revolute", "a", "b", LIMIT + offset),
+        JOINT.format("jc", "revolute", "b", "c", LIMIT + offset + '<mimic joint="ja" multiplier="-1.5" offset="0.3"/>'),
+    ]
+    text = urdf(*parts, *joints).replace("<inertial>", heavy)
+    robot, told = read(tmp_path / "robot.urdf", text)
+    assert told == []
+    model = pin.buildModelFromXML(text, mimic=True)
+    assert model.nv == 2
+    factors = np.array([[1, 0], [0, 1], [-1.5, 0]])
+    for q, v, a in np.random.default_rng(3).uniform(-1, 1, (4, 3, 2)):
+        wanted = pin.rnea(model, model.createData(), q, v, a)
+        forces = robot.InverseDynamics(robot.FollowedCoordinates([*q, 0]), factors @ v, factors @ a)
+        np.testing.assert_allclose(factors.T @ forces, wanted, rtol=1e-12, atol=1e-12)
 
 
 def test_extensions_of_vendors_are_ignored(tmp_path: Path) -> None:

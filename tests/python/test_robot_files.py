@@ -216,9 +216,9 @@ def test_parts_of_mjcf_files(tmp_path, package):
     turned = RotationMatrixX(0.1) @ HTrotateY(0.2)[:3, :3] @ HTrotateZ(0.3)[:3, :3]
     np.testing.assert_allclose(robot.LinkHT(np.zeros(9))[-1][:3, :3], HTrotateZ(np.pi / 2)[:3, :3] @ turned, atol=1e-15)
     assert robot.GetLink("hip:0").damping == 0.5
-    with pytest.warns(UserWarning, match="ignored elements: <actuator>, stiffness of joints 'hip'"):
-        text = path.read_text().replace("<worldbody>", "<actuator><motor/></actuator><worldbody>")
-        path.write_text(text.replace('type="ball"', 'type="hinge" stiffness="2"'))
+    with pytest.warns(UserWarning, match="ignored elements: <contact>, stiffness of ball and free joints 'hip'"):
+        text = path.read_text().replace("<worldbody>", "<contact><pair/></contact><worldbody>")
+        path.write_text(text.replace(' damping="0.5"', ' stiffness="2"'))
         ReadRobot(path)
 
 

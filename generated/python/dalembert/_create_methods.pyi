@@ -499,6 +499,7 @@ class CreateMethods:
         force_user_function: Callable[..., Any] | int = ...,
         limit_stiffness: float = ...,
         limit_damping: float = ...,
+        keyframe: str = ...,
     ) -> dict[str, Any]:
         """Add the robot of a URDF or MJCF file; return a dict with robot, the Robot, and the items that were added."""
     def create_rolling_disc(

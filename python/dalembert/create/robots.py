@@ -42,6 +42,7 @@ TEXTS = {
         "forceUserFunction": "function or controller for the forces in the joints, as that of the kinematic tree",
         "limitStiffness": "stiffness of stops at the limits of the joints (N/m, Nm/rad); 0 for none",
         "limitDamping": "damping of stops at the limits of the joints (Ns/m, Nms/rad)",
+        "keyframe": "name of a keyframe of the file, which gives initial values and controls; empty: none",
     },
 }
 
@@ -59,13 +60,14 @@ def CreateRobot(
     forceUserFunction: Callable[..., Any] | int = 0,
     limitStiffness: float = 0.0,
     limitDamping: float = 0.0,
+    keyframe: str = "",
 ) -> dict[str, Any]:
     """Add the robot of a URDF or MJCF file; return a dict with robot, the Robot, and the items that were added.
 
     The default is a kinematic tree, and the dict also has the result of Robot.CreateKinematicTree. If baseMarker is
     given, the robot consists of rigid bodies and joints, and the dict has the result of
-    Robot.CreateRedundantCoordinateMBS. Its entry links has the indices of links and joints by name. Damping and dry
-    friction of the file are included.
+    Robot.CreateRedundantCoordinateMBS. Its entry links has the indices of links and joints by name. Springs, damping
+    and dry friction of the file are included.
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 
@@ -88,7 +90,9 @@ def CreateRobot(
         given = as_vector(where, referenceConfiguration, robot.NumberOfLinks())
         robot.referenceConfiguration = robot.FollowedCoordinates(given)
     if baseMarker is None:
-        made = robot.CreateKinematicTree(mbs, name, forceUserFunction, limitStiffness, limitDamping)
+        made = robot.CreateKinematicTree(mbs, name, forceUserFunction, limitStiffness, limitDamping, keyframe)
     else:
-        made = robot.CreateRedundantCoordinateMBS(mbs, baseMarker, createJointTorqueLoads=False, name=name)
+        made = robot.CreateRedundantCoordinateMBS(
+            mbs, baseMarker, createJointTorqueLoads=False, name=name, keyframe=keyframe
+        )
     return {"robot": robot, **made}

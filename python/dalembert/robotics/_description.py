@@ -7,6 +7,7 @@ mass between them; axes in any direction become axes of turned joints.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,20 +29,26 @@ _ROUNDED = 1e-3  # relative to principal moments, and, twice, to a mass in kg: n
 
 @dataclass
 class Body:
-    """A link of a file, in its own frame; frames are further frames on it by name."""
+    """A link of a file, in its own frame; frames are further frames on it by name.
+
+    supported is the part of its weight that is carried.
+    """
 
     name: str
     where: Element
     inertia: RigidBodyInertia | None = None
     drawn: GraphicsList = field(default_factory=list)
     frames: dict[str, FloatArray] = field(default_factory=dict)
+    supported: float = 0.0
 
 
 @dataclass
 class Joint:
     """A joint of a file: T leads from the parent to the child at coordinate `reference`; axis and place in the child.
 
-    kind is revolute, prismatic, fixed, floating or planar; values are further arguments of RobotLink.
+    kind is revolute, prismatic, fixed, floating or planar; values are further arguments of RobotLink. per_inertia are
+    stiffness and damping, divided by the inertia of the joint at the reference configuration; force_range limits the
+    force of actuators.
     """
 
     name: str
@@ -54,17 +61,23 @@ class Joint:
     place: FloatArray = field(default_factory=lambda: np.zeros(3))
     reference: float = 0.0
     values: dict[str, Any] = field(default_factory=dict)
+    per_inertia: tuple[float, float] | None = None
+    force_range: tuple[float, float] | None = None
 
 
 @dataclass
 class Description:
-    """Description of a robot in a file; the root is the link that is fixed to the ground."""
+    """Description of a robot in a file; the root is the link that is fixed to the ground.
+
+    later are functions that complete the robot when all of its links are there.
+    """
 
     name: str
     bodies: dict[str, Body]
     joints: list[Joint]
     root: str
     gravity: npt.ArrayLike = (0.0, 0.0, -9.81)
+    later: list[Callable[[Robot], None]] = field(default_factory=list)
 
 
 @dataclass
@@ -81,6 +94,8 @@ class _Moving:
     values: dict[str, Any] = field(default_factory=dict)
     inertia: RigidBodyInertia = field(default_factory=RigidBodyInertia)
     drawn: GraphicsList = field(default_factory=list)
+    supported: list[tuple[float, FloatArray]] = field(default_factory=list)
+    per_inertia: tuple[float, float] | None = None
 
 
 def inertia_in_file(element: Element, mass: float, tensor: FloatArray) -> RigidBodyInertia:
@@ -153,7 +168,7 @@ def _moving(joint: Joint, carrier: int, T: FloatArray, number: int) -> list[_Mov
         before = (T if i == 0 else np.eye(4)) @ to_axis @ back
         name = f"{joint.name}:{i}" if joint.name and len(parts) > 1 else joint.name
         own = _Moving(carrier if i == 0 else number + i - 1, before, kind, InverseHT(to_axis), joint=name)
-        own.reference, own.values = joint.reference, joint.values
+        own.reference, own.values, own.per_inertia = joint.reference, joint.values, joint.per_inertia
         result.append(own)
     return result
 
@@ -181,7 +196,10 @@ class _Builder:
             link = self.moving[carrier]
             link.drawn += drawn
             if body.inertia is not None:
-                link.inertia = link.inertia + body.inertia.Transformed(T)
+                moved = body.inertia.Transformed(T)
+                link.inertia = link.inertia + moved
+                if body.supported:
+                    link.supported.append((body.supported * moved.Mass(), moved.COM()))
         if fixed:
             self.frames[name] = (carrier, T)
         links = self.description.bodies  # their names go before those of other frames
@@ -214,16 +232,36 @@ class _Builder:
                     visualization=view,
                     name=link.body,
                     jointName=link.joint,
+                    supported=link.supported,
                     **link.values,
                 )
             )
         robot.referenceConfiguration = robot.FollowedCoordinates(robot.referenceConfiguration)
+        self._tune(robot)
         return robot
+
+    def _tune(self, robot: Robot) -> None:
+        """Set spring and damper of joints that are given per inertia."""
+        for i, moving in enumerate(self.moving):
+            if moving.per_inertia is not None:
+                link = robot.links[i]
+                link.stiffness, link.damping = (float(free_inertias(robot)[i] * each) for each in moving.per_inertia)
+
+
+def free_inertias(robot: Robot) -> FloatArray:
+    """Return the inertias that joints have at the reference configuration if all other joints are free to move.
+
+    These are the inverse values of the diagonal of the inverse mass matrix.
+    """
+    return np.asarray(1 / np.diag(np.linalg.inv(robot.MassMatrix(robot.referenceConfiguration))))
 
 
 def robot_of(description: Description) -> Robot:
     """Return the robot that links and joints make."""
-    return _Builder(description).robot()
+    robot = _Builder(description).robot()
+    for complete in description.later:
+        complete(robot)
+    return robot
 
 
 def root_of(bodies: dict[str, Body], joints: list[Joint]) -> str:

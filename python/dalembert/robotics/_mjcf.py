@@ -1,7 +1,7 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
-Bodies, joints, geoms and sites become links, joints, shapes and frames. A warning lists ignored elements, such as
-actuators, tendons, equality constraints, springs and contacts.
+Bodies, joints, geoms and sites become links, joints, shapes and frames; actuators, tendons, equality constraints and
+keyframes are added to the robot that these make. A warning lists ignored elements, such as muscles and contacts.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -17,8 +18,12 @@ from dalembert._checks import FloatArray
 from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
+from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import gravity_of, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_equality import WORLD, Equality
+from dalembert.robotics._mjcf_keyframes import Keyframes
+from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._xml import Element, read
 
 _JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
@@ -26,7 +31,6 @@ _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 _UNSHAPED = ("plane", "hfield", "sdf")
 _NOT_READ = ("attach", "composite", "flexcomp", "plugin")
 _SAME_VOLUME = 1e-6  # relative differences between ways to weigh meshes that do not count
-_WORLD = "world"
 
 
 def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, FloatArray]:
@@ -55,15 +59,11 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
 class _Reader:
     """Goes through the bodies of a file."""
 
-    def __init__(self, compiler: Compiler) -> None:
-        self.compiler = compiler
+    def __init__(self, compiler: Compiler, options: Options) -> None:
+        self.compiler, self.options = compiler, options
         self.bodies: dict[str, Body] = {}
         self.joints: list[Joint] = []
-        self.notes: dict[str, list[str]] = {}
-
-    def note(self, what: str, name: str) -> None:
-        """Record an ignored part of an element."""
-        self.notes.setdefault(what, []).append(name)
+        self.notes = Notes()
 
     def _body(self, element: Element, name: str) -> Body:
         if name in self.bodies:
@@ -88,13 +88,13 @@ class _Reader:
         for part, T, own_class in list(self._parts(element, np.eye(4), child_class)):
             if part.tag == "geom":
                 geom = self.compiler.complete(part, own_class)
-                needs_inertia = name != _WORLD and (given is None or self.compiler.from_shapes == "true")
+                needs_inertia = name != WORLD and (given is None or self.compiler.from_shapes == "true")
                 weighed = weighed + self._geom(geom, T, body, needs_inertia)
             elif part.tag == "site":
                 site = self.compiler.complete(part, own_class)
                 body.frames[site.text("name", f"{name} site {len(body.frames)}")] = T @ _site(site, self.compiler)
             elif part.tag in _NOT_READ:
-                self.note(f"<{part.tag}> in bodies", name)
+                self.notes.add(f"<{part.tag}> in bodies", name)
             elif part.tag == "body":
                 self._carried(part, T, name, part.text("childclass", own_class))
         if given is not None and self.compiler.from_shapes != "true":
@@ -102,12 +102,22 @@ class _Reader:
         elif self.compiler.from_shapes != "false":
             body.inertia = weighed
 
+    def rename_sites(self) -> None:
+        """Give sites with the name of a body another name: frames of robots have one name space for both."""
+        for body in self.bodies.values():
+            for name in [frame for frame in body.frames if frame in self.bodies]:
+                self.notes.add("names of sites that are names of bodies (the sites are called 'name (site)')", name)
+                body.frames[site_frame(name, self.bodies)] = body.frames.pop(name)
+
     def _geom(self, geom: Element, T: FloatArray, body: Body, needs_inertia: bool) -> RigidBodyInertia:
         """Draw a geom, and return its inertia if it counts."""
         kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
+        touches = any(geom.number(name, "1") for name in ("contype", "conaffinity"))
+        if body.name == WORLD and touches and "contact" not in self.options.off:
+            self.notes.add("contact with geoms of the world", geom.text("name", kind))
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in self.compiler.weighed_groups
         if needs_inertia and kind == "sdf":
-            self.note("mass of geoms of type sdf of bodies", body.name)
+            self.notes.add("mass of geoms of type sdf of bodies", body.name)
         if not self.compiler.shapes and (kind == "mesh") and not needs_inertia:
             return RigidBodyInertia()
         shape, place = _shape(geom, self.compiler)
@@ -120,9 +130,9 @@ class _Reader:
         if not needs_inertia:
             return RigidBodyInertia()
         if _mjcf_inertia.is_shell(geom) and _shapes.shell_inertia(shape, 1.0) is None:
-            self.note("shellinertia of ellipsoids and meshes, which are taken for solid, of bodies", body.name)
+            self.notes.add("shellinertia of ellipsoids and meshes, which are taken for solid, of bodies", body.name)
         if shape.kind == "mesh" and (other := self._other_volume(geom, shape)):
-            self.note(f"{other} of meshes, which exact volumes replace, of bodies", body.name)
+            self.notes.add(f"{other} of meshes, which exact volumes replace, of bodies", body.name)
         return _mjcf_inertia.of_geom(geom, shape).Transformed(T @ place)
 
     def _other_volume(self, geom: Element, shape: _shapes.Shape) -> str:
@@ -139,10 +149,8 @@ class _Reader:
         """Add the joints between a body and its parent, with a body without mass between two of them."""
         name = element.text("name", f"body{len(self.bodies)}")
         place = T @ self.compiler.place(element)
-        if element.number("gravcomp", "0"):
-            self.note("gravcomp of bodies", name)
         if element.text("mocap", "false") == "true":
-            self.note("mocap of bodies", name)
+            self.notes.add("mocap of bodies", name)
         joints = [
             self._joint(part, own_class, frame)
             for part, frame, own_class in self._parts(element, np.eye(4), child_class)
@@ -158,25 +166,25 @@ class _Reader:
             self.joints.append(replace(joint, parent=parent, child=child, T=place))
             parent, place = child, np.eye(4)
         self.bodies_of(element, name, child_class)
+        if self.options.passive:
+            self.bodies[name].supported = element.number("gravcomp", "0")
 
     def _joint(self, element: Element, child_class: str, frame: FloatArray) -> Joint:
         """Return a joint; frame leads from the body to the <frame> that it is in."""
         if element.tag == "freejoint":
             if element.text("align", "auto") == "true":
-                self.note("align of free joints", element.text("name", ""))
+                self.notes.add("align of free joints", element.text("name", ""))
             return Joint(element.text("name", ""), "floating", "", "", np.eye(4), element)
         element = self.compiler.complete(element, child_class)
         kind = element.text("type", "hinge")
         if kind not in _JOINTS:
             element.fail(f"type: expected one of {', '.join(_JOINTS)}, received '{kind}'")
         joint = Joint(element.text("name", ""), _JOINTS[kind], "", "", np.eye(4), element)
-        for name in ("stiffness", "springdamper"):
-            if element.numbers(name, (1, 2), "0").any():
-                self.note(f"{name} of joints", joint.name)
         place = (frame @ np.append(element.numbers("pos", 3, "0 0 0"), 1))[:3]
         if kind in ("ball", "free"):
             joint.place = place if kind == "ball" else np.zeros(3)
-            joint.values = {"damping": element.amount("damping", "0"), "rotorInertia": element.amount("armature", "0")}
+            damping = 0.0 if "damper" in self.options.off else self._linear(element, "damping", joint)
+            joint.values = {"damping": damping, "rotorInertia": element.amount("armature", "0")}
             self._note_of_several(element, joint)
             return joint
         turns = self.compiler.angle if kind == "hinge" else float
@@ -184,16 +192,44 @@ class _Reader:
         joint.axis = frame[:3, :3] @ axis / self.compiler.length(element, "axis", axis)
         joint.place = place
         joint.reference = float(turns(element.number("ref", "0")))
-        amounts = {"damping": "damping", "frictionloss": "friction", "armature": "rotorInertia"}
-        joint.values = {argument: element.amount(name, "0") for name, argument in amounts.items()}
-        if self._is_limited(element):
+        joint.values = self._resistance(element, joint, turns)
+        if self._is_limited(element) and "limit" not in self.options.off:
             lower, upper = element.numbers("range", 2)
             if lower > upper:
                 element.fail(f"range: expected two numbers that grow, received {lower:g} and {upper:g}")
             joint.values["jointLimits"] = [float(turns(lower)), float(turns(upper))]
-        if "actuatorfrcrange" in element.attributes:
-            joint.values["maxForce"] = float(np.abs(element.numbers("actuatorfrcrange", 2)).max())
+        limited = element.text("actuatorfrclimited", "auto")
+        given = self.compiler.autolimits and "actuatorfrcrange" in element.attributes
+        if limited == "true" or (limited == "auto" and given):
+            lower, upper = element.numbers("actuatorfrcrange", 2)
+            joint.force_range = float(lower), float(upper)
+            if element.text("actuatorgravcomp", "false") == "true":
+                self.notes.add("actuatorgravcomp of joints with actuatorfrcrange:", joint.name)
+            joint.values["maxForce"] = float(max(abs(lower), abs(upper)))
         return joint
+
+    def _linear(self, element: Element, name: str, joint: Joint) -> float:
+        """Return the constant of a linear law; polynomials have further coefficients."""
+        first, *further = element.numbers(name, (1, 3), "0")
+        if any(further):
+            self.notes.add(f"coefficients of higher order of {name} of joints", joint.name)
+        return float(first) if first >= 0 else element.amount(name)
+
+    def _resistance(self, element: Element, joint: Joint, turns: Any) -> dict[str, Any]:
+        """Return rotor, spring, damping and friction of a joint of one coordinate as arguments of a link."""
+        values: dict[str, Any] = {"rotorInertia": element.amount("armature", "0")}
+        if "frictionloss" not in self.options.off:
+            values["friction"] = element.amount("frictionloss", "0")
+        if "damper" not in self.options.off:
+            values["damping"] = self._linear(element, "damping", joint)
+        if "spring" not in self.options.off:
+            values["stiffness"] = self._linear(element, "stiffness", joint)
+        values["springReference"] = float(turns(element.number("springref", "0")))
+        time, ratio = element.numbers("springdamper", 2, "0 0")
+        if time > 0 and ratio > 0:
+            stiffness = 0.0 if "spring" in self.options.off else 1 / (time * ratio) ** 2
+            joint.per_inertia = stiffness, 0.0 if "damper" in self.options.off else 2 / time
+        return values
 
     def _is_limited(self, element: Element) -> bool:
         limited = element.text("limited", "auto")
@@ -201,14 +237,17 @@ class _Reader:
 
     def _note_of_several(self, element: Element, joint: Joint) -> None:
         """Record differences of ball and free joints, whose coordinates are angles here."""
-        if element.amount("frictionloss", "0"):
-            self.note("frictionloss of ball and free joints", joint.name)
+        for name in ("frictionloss", "stiffness", "springdamper"):
+            if element.numbers(name, (1, 3), "0").any():
+                self.notes.add(f"{name} of ball and free joints", joint.name)
         if joint.kind == "ball" and self._is_limited(element):
-            self.note("range of ball joints", joint.name)
+            self.notes.add("range of ball joints", joint.name)
         for name, value in joint.values.items():
             if value:
                 own = {"rotorInertia": "armature"}.get(name, name)
-                self.note(f"{own} against angular velocities, which acts on rates of angles, of joints", joint.name)
+                self.notes.add(
+                    f"{own} against angular velocities, which acts on rates of angles, of joints", joint.name
+                )
 
 
 def _site(site: Element, compiler: Compiler) -> FloatArray:
@@ -229,17 +268,21 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     refuse_misspelt(root)
     compiler = Compiler(root, folder, shapes)
     root = repeated(root, compiler)
-    reader = _Reader(compiler)
+    options = Options(root)
+    reader = _Reader(compiler, options)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
-    reader.bodies_of(world, _WORLD, world.text("childclass", "main"))
+    reader.bodies_of(world, WORLD, world.text("childclass", "main"))
     if len(reader.bodies) == 1:
         root.fail("expected an element <body> in <worldbody>")
-    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != _WORLD], compiler)
-    hidden = [frame for body in reader.bodies.values() for frame in body.frames if frame in reader.bodies]
-    if hidden:
-        reader.notes["sites that have names of bodies:"] = hidden
-    left = left_out(root) + [f"{what} {', '.join(map(repr, names))}" for what, names in reader.notes.items()]
+    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != WORLD], compiler)
+    reader.rename_sites()
+    tendons = Tendons(root, compiler, options, reader.notes, reader.joints, reader.bodies)
+    actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
+    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)
+    keyframes = Keyframes(root, reader.notes, reader.joints, actuators)
+    left = left_out(root) + reader.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    return Description(root.text("model", ""), reader.bodies, reader.joints, _WORLD, gravity_of(root))
+    later = [tendons.complete, actuators.complete, equality.complete, keyframes.complete]
+    return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])

@@ -20,6 +20,19 @@ from dalembert.robotics import _shapes
 from dalembert.robotics._description import translated, turned
 from dalembert.robotics._xml import Element
 
+_ACTUATORS = (
+    "general",
+    "motor",
+    "position",
+    "velocity",
+    "intvelocity",
+    "damper",
+    "cylinder",
+    "muscle",
+    "adhesion",
+    "dcmotor",
+    "plugin",
+)
 _TURNS = {"x": RotationMatrixX, "y": RotationMatrixY, "z": RotationMatrixZ}
 
 
@@ -50,10 +63,12 @@ class Compiler:
         self.balances = settings.get("balanceinertia", "false") == "true"
         self.folder, self.shapes = folder / settings.get("meshdir", settings.get("assetdir", "")), shapes
         self.classes: dict[str, dict[str, dict[str, str]]] = {"main": {}}
+        self.actuator_defaults: dict[str, list[Element]] = {"main": []}
         for element in root.every("default"):
             name = element.text("class", "main")
-            self._add_class(element, {}, name)
+            self._add_class(element, {}, [], name)
             self.classes["main"] = self.classes[name]
+            self.actuator_defaults["main"] = self.actuator_defaults[name]
         assets = [asset for group in root.every("asset") for asset in group.children]
         self.materials = {asset.text("name"): asset for asset in assets if asset.tag == "material"}
         self.meshes = {self._asset_name(asset): asset for asset in assets if asset.tag == "mesh"}
@@ -62,21 +77,33 @@ class Compiler:
     def _asset_name(asset: Element) -> str:
         return asset.text("name", Path(asset.text("file", "")).stem)
 
-    def _add_class(self, element: Element, inherited: dict[str, dict[str, str]], name: str) -> None:
+    def _add_class(
+        self, element: Element, inherited: dict[str, dict[str, str]], actuators: list[Element], name: str
+    ) -> None:
+        """Add a class and those in it; all kinds of actuators have their defaults in common, in their order."""
+        self.actuator_defaults[name] = [
+            *actuators,
+            *(child for child in element.children if child.tag in _ACTUATORS),
+        ]
         own = {tag: dict(values) for tag, values in inherited.items()}
         for child in element.children:
             if child.tag != "default":
                 own[child.tag] = own.get(child.tag, {}) | child.attributes
         self.classes[name] = own
         for child in element.every("default"):
-            self._add_class(child, own, child.text("class"))
+            self._add_class(child, own, self.actuator_defaults[name], child.text("class"))
 
     def complete(self, element: Element, child_class: str) -> Element:
         """Return an element with the defaults of its class."""
+        name = self.class_of(element, child_class)
+        return replace(element, attributes=self.classes[name].get(element.tag, {}) | element.attributes)
+
+    def class_of(self, element: Element, child_class: str) -> str:
+        """Return the name of the default class of an element."""
         name = element.attributes.get("class", child_class)
         if name not in self.classes:
             element.fail(f"class: there is no default class '{name}'; there are: {', '.join(self.classes)}")
-        return replace(element, attributes=self.classes[name].get(element.tag, {}) | element.attributes)
+        return name
 
     def angle(self, values: Any) -> Any:
         """Return angles of the file in rad."""

@@ -104,38 +104,50 @@ def repeated(element: Element, compiler: Compiler) -> Element:
     return replace(element, children=children)
 
 
-def gravity_of(root: Element) -> FloatArray:
-    """Return the gravity of a file; later <option> elements override their attributes only."""
-    gravity, off = np.array([0.0, 0.0, -9.81]), False
-    for option in root.every("option"):
-        if "gravity" in option.attributes:
-            gravity = option.numbers("gravity", 3)
-        for flag in option.every("flag"):
-            off = flag.text("gravity", "disable" if off else "enable") == "disable"
-    return gravity * 0 if off else gravity
+class Notes:
+    """Ignored parts of elements, with the names of the elements."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, list[str]] = {}
+
+    def add(self, what: str, name: str) -> None:
+        """Record an ignored part of an element."""
+        self.names.setdefault(what, []).append(name)
+
+    def texts(self) -> list[str]:
+        """Return the texts of the warning."""
+        return [f"{what} {', '.join(map(repr, names))}" for what, names in self.names.items()]
+
+
+class Options:
+    """Gravity, and what the flags of <option> switch off; later <option> elements override their attributes only."""
+
+    def __init__(self, root: Element) -> None:
+        gravity, flags, groups = np.array([0.0, 0.0, -9.81]), dict[str, str](), ""
+        for option in root.every("option"):
+            if "gravity" in option.attributes:
+                gravity = option.numbers("gravity", 3)
+            groups = option.text("actuatorgroupdisable", groups)
+            for flag in option.every("flag"):
+                flags |= flag.attributes
+        off = {name for name, value in flags.items() if value == "disable"}
+        if "constraint" in off:
+            off |= {"limit", "frictionloss", "equality", "contact"}
+        self.groups_off = {int(group) for group in groups.split()}
+        self.off, self.gravity = off, gravity * ("gravity" not in off)
+        self.passive = not off >= {"spring", "damper"}  # MuJoCo then leaves out all passive forces, gravcomp as well
 
 
 # Unsupported elements, in the order of the warning, and settings of <option>.
-_ELEMENTS = {
-    "actuator": "",
-    "contact": "",
-    "deformable": "",
-    "equality": " (loops that it closes are open)",
-    "extension": "",
-    "keyframe": "",
-    "tendon": "",
-}
+_ELEMENTS = ("contact", "deformable", "extension")
 _MEDIUM = ("density", "viscosity", "wind")
-_FLAGS = ("spring", "damper", "passive", "limit", "frictionloss", "equality", "constraint")
 
 
 def left_out(root: Element) -> list[str]:
     """Return the unsupported data of a file, in elements outside of the bodies."""
-    found = [f"<{tag}>{more}" for tag, more in _ELEMENTS.items() if any(e.children for e in root.every(tag))]
+    found = [f"<{tag}>" for tag in _ELEMENTS if any(e.children for e in root.every(tag))]
     for option in root.every("option"):
         found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]
-        for flag in option.every("flag"):
-            found += [f"<flag {name}='disable'>" for name in _FLAGS if flag.text(name, "enable") == "disable"]
     if any(compiler.text("alignfree", "false") == "true" for compiler in root.every("compiler")):
         found.append("alignfree of <compiler>")
     return found

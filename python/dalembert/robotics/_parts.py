@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy, deepcopy
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -98,8 +99,10 @@ class RobotLink:
 
     Besides, a joint may have limits of its coordinate, of its velocity and of the force or torque of its drive; viscous
     damping (Nms/rad or Ns/m), dry friction (Nm or N), and the inertia of a rotor as it acts at the joint. It may follow
-    another joint: follows=(joint, factor, offset), as the second finger of a gripper does. Names of link and joint may
-    be given wherever a robot takes the index of a link.
+    another joint: follows=(joint, factor, offset), as the second finger of a gripper does. A spring of the given
+    stiffness (Nm/rad or N/m) has no force at the coordinate springReference. A mechanism that is not part of the model
+    may carry the weight of masses in the link: supported has tuples of a mass (kg) and its position in the link. Names
+    of link and joint may be given wherever a robot takes the index of a link.
     """
 
     localHT = _Transformation()
@@ -125,8 +128,17 @@ class RobotLink:
         friction: float = 0.0,
         rotorInertia: float = 0.0,
         follows: tuple[str, float, float] | None = None,
+        stiffness: float = 0.0,
+        springReference: float = 0.0,
+        supported: Sequence[tuple[float, npt.ArrayLike]] = (),
     ) -> None:
-        amounts = {"mass": mass, "damping": damping, "friction": friction, "rotorInertia": rotorInertia}
+        amounts = {
+            "mass": mass,
+            "damping": damping,
+            "friction": friction,
+            "rotorInertia": rotorInertia,
+            "stiffness": stiffness,
+        }
         for what, value in amounts.items():
             as_number(f"RobotLink: {what}", value, negative=False)
         if jointType not in JOINT_TYPES:
@@ -151,6 +163,10 @@ class RobotLink:
         self.maxVelocity, self.maxForce = maxVelocity, maxForce
         self.damping, self.friction, self.rotorInertia = damping, friction, rotorInertia
         self.follows = follows
+        self.stiffness, self.springReference = stiffness, as_number("RobotLink: springReference", springReference)
+        self.supported = [
+            (as_number("RobotLink: supported", m), as_vector("RobotLink: supported", r, 3)) for m, r in supported
+        ]
 
     def _copied(self) -> RobotLink:
         """Return a link that shares no array with this one; quicker than deepcopy, which asks what each number is."""
@@ -192,6 +208,18 @@ class RobotLink:
         shown = {name.lstrip("_"): str(value) for name, value in vars(self).items() if value is not None}
         lines = [f"  {name} = {value}" for name, value in shown.items() if value and name != "visualization"]
         return "\n".join([*lines, "  visualization:", repr(self.visualization)])
+
+
+@dataclass
+class RobotKeyframe:
+    """A state of a robot: coordinates and rates of the joints, controls and activations of actuators by name."""
+
+    name: str
+    q: FloatArray
+    q_t: FloatArray
+    controls: dict[str, float] = field(default_factory=dict)
+    activations: dict[str, float] = field(default_factory=dict)
+    time: float = 0.0
 
 
 class VRobotTool:

@@ -17,8 +17,11 @@ from dalembert._geometry.transformations import InverseHT
 from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _drawing, _kinematics
+from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics, _tendons
+from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
+from dalembert.robotics._tendons import AddMarker, place_of
+from dalembert.robotics._tree import add_supports
 
 if TYPE_CHECKING:
     from dalembert.robotics._robot import Robot
@@ -83,8 +86,27 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
             )
         if i < len(options.springUserFunctions):
             link.GetPDcontrol()
+    of_coordinates = {f"tendon '{name}'" for name in robot.tendons} | {
+        f"constraint '{name}'" for name, each in robot.constraints.items() if isinstance(each, RobotCoupling)
+    }
+    for what in sorted(of_coordinates):
+        raise ValueError(f"{where}: {what} needs the coordinates of the joints; use CreateKinematicTree")
+    for actuator in robot.actuators.values():
+        if actuator.dynamics != "none" and is_revolute(robot.GetLink(robot.GetJointIndex(actuator.joint)).jointType):
+            raise ValueError(
+                f"{where}: actuator '{actuator.name}' has dynamics, which need the coordinate of a joint that "
+                "turns; use CreateKinematicTree"
+            )
     beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
     kind = mbs.GetMarker(baseMarker)["markerType"]
+    loops = [each for each in robot.constraints.values() if isinstance(each, RobotLoop)]
+    ends = {name for loop in loops for name in (loop.frame0, loop.frame1)}
+    ends |= {name for cable in robot.cables.values() for name in (cable.frame0, cable.frame1)}
+    if kind != "BodyRigid" and any(place_of(robot, name)[0] < 0 for name in ends):
+        raise ValueError(
+            f"{where}: baseMarker: a loop or cable that ends at the base needs a MarkerBodyRigid, received a marker "
+            f"of type {kind}"
+        )
     if beside and kind != "BodyRigid":
         raise ValueError(
             f"{where}: baseMarker: a joint beside the origin of the base (preHT) needs a MarkerBodyRigid, received a "
@@ -183,11 +205,12 @@ def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, 
         return None
     factors = link.GetPDcontrol() if listed or link.HasPDcontrol() else (0.0, 0.0)
     law = _drive_law(link, options.springUserFunctions[i] if listed else 0)
-    values: dict[str, Any] = {
-        "markerNumbers": ends.markers,
-        "stiffness": factors[0],
-        "damping": factors[1] + link.damping,
-    }
+    return _add_connector(mbs, link, q, ends, law, stiffness=factors[0], damping=factors[1] + link.damping)
+
+
+def _add_connector(mbs: Any, link: RobotLink, q: float, ends: Ends, law: Any, **values: Any) -> Any:
+    """Add a spring-damper about, or along, the axis of a joint, which measures the coordinate of the joint."""
+    values["markerNumbers"] = ends.markers
     if not is_revolute(link.jointType):
         axis = ends.rotations[0] @ JOINT_AXES[link.jointType]
         view = items.VLinearSpringDamper(show=False)
@@ -208,16 +231,50 @@ def _add_spring_damper(mbs: Any, link: RobotLink, q: float, ends: Ends, i: int, 
     )
 
 
+def _add_actuators(robot: Robot, mbs: Any, ends_of: list[Ends], marker: AddMarker) -> dict[str, Any]:
+    """Add the actuators between the markers of their joints, or on frames."""
+    objects: dict[str, Any] = {}
+    for name, actuator in robot.actuators.items():
+        if actuator.frame:
+            objects[name] = _actuators.add_thruster(robot, mbs, actuator, marker)
+            continue
+        i = robot.GetJointIndex(actuator.joint)
+        link, ends = robot.links[i], ends_of[i]
+        if is_revolute(link.jointType):
+            made = _actuators.law(actuator, "rotation", lambda phi, omega: (phi, omega), lambda torque: -torque)
+            turned = [A @ _FROM_Z[link.jointType[1]] for A in ends.rotations]
+            turns = items.NodeGenericData(
+                initialCoordinates=[robot.referenceConfiguration[i]], numberOfDataCoordinates=1
+            )
+            further = {"nodeNumber": mbs.AddNode(turns)}
+        else:
+            axis = JOINT_AXES[link.jointType]
+
+            def motion(u: Any, phi: Any, v: Any, omega: Any, axis: FloatArray = axis) -> tuple[Any, Any]:
+                return u @ axis, v @ axis
+
+            def result(force: Any, axis: FloatArray = axis) -> Any:
+                return [-force * component for component in axis], [0.0] * 3
+
+            made, turned, further = _actuators.law(actuator, "frames", motion, result), list(ends.rotations), {}
+        objects[name] = _actuators.add(
+            mbs, made, ends.markers, rotationMarker0=turned[0], rotationMarker1=turned[1], **further
+        )
+    return {"actuators": objects, "controls": _actuators.control_parameters(mbs, objects)}
+
+
 def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[str, Any]:
     """Add bodies, joints and drives; see Robot.CreateRedundantCoordinateMBS."""
     baseMarker = index_of(mbs, "Marker", baseMarker, "Robot.CreateRedundantCoordinateMBS: baseMarker")
     _check(robot, mbs, baseMarker, options)
     lists = "nodeList bodyList jointList markerList0 markerList1 springDamperList jointTorque0List jointTorque1List"
-    result: dict[str, Any] = {name: [] for name in (*lists.split(), "unitTorque0List", "unitTorque1List")}
+    lists += " unitTorque0List unitTorque1List springList"
+    result: dict[str, Any] = {name: [] for name in lists.split()}
     base = _drawing.add_base(robot, mbs)
     q = robot.referenceConfiguration
     at_base = _base_rotation(robot, mbs, baseMarker, options.rotationMarkerBase)
     placed: list[FloatArray] = []
+    ends_of: list[Ends] = []
     for i, link in enumerate(robot.links):
         parent = robot.GetParentIndex(i)
         before = robot.base.HT if parent < 0 else placed[parent]
@@ -231,11 +288,30 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
             carrier, turned = result["bodyList"][parent], link.preHT[:3, :3]
             marker0 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=carrier, localPosition=link.preHT[:3, 3]))
         ends = Ends([marker0, marker1], (turned, back[:3, :3]))
+        ends_of.append(ends)
         joint = _add_joint(robot, mbs, link, ends, options)
         units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
         loads = _add_loads(mbs, link, i, ends, units, options)
         drive = _add_spring_damper(mbs, link, q[i], ends, i, options)
-        row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units]
+        spring = None
+        if link.stiffness:
+            spring = _add_connector(mbs, link, q[i], ends, 0, stiffness=link.stiffness, offset=link.springReference)
+        row = [body["nodeNumber"], body["bodyNumber"], joint, marker0, marker1, drive, *loads, *units, spring]
         for entries, entry in zip(result.values(), row, strict=True):
             entries.append(entry)
-    return result | {"baseObject": -1 if base is None else base, "links": robot.LinkNumbers()}
+
+    def marker(i: int, T: FloatArray) -> tuple[Any, FloatArray]:
+        if i < 0:
+            return _base_marker(mbs, baseMarker, at_base @ T[:3, 3]), at_base @ T[:3, :3]
+        made = items.MarkerBodyRigid(bodyNumber=result["bodyList"][i], localPosition=T[:3, 3])
+        return mbs.AddMarker(made), T[:3, :3]
+
+    return {
+        **result,
+        "baseObject": -1 if base is None else base,
+        "links": robot.LinkNumbers(),
+        "supports": add_supports(robot, mbs, marker),
+        "constraints": _constraints.add(robot, mbs, marker),
+        "tendons": _tendons.add_cables(robot, mbs, marker, (0.0, 0.0)),
+        **_add_actuators(robot, mbs, ends_of, marker),
+    }

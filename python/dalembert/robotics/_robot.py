@@ -3,28 +3,34 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_array, as_vector, shape_error
+from dalembert._checks import FloatArray, as_array, as_number, as_vector, shape_error
 from dalembert._core import NodeType, _joint_poses, _robot_jacobian, _static_torques
 from dalembert._geometry.rigid_transformation import HT as HomogeneousTransformation
 from dalembert._geometry.rigid_transformation import sharing
 from dalembert._geometry.transformations import HTtranslate, RotationTranslation2T66Inverse
 from dalembert.kinematicTree import Inertia2T66, KinematicTree66
-from dalembert.robotics import _drawing, _redundant, _tree
+from dalembert.robotics import _drawing, _forces, _redundant, _tree
+from dalembert.robotics._actuators import RobotActuator
+from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
     GraphicsList,
     RobotBase,
+    RobotKeyframe,
     RobotLink,
     RobotTool,
     VRobotLink,
 )
+from dalembert.robotics._tendons import RobotCable, RobotTendon, factors_of, place_of
 from dalembert.treeDynamics import TreeDynamics
 
 _MODES = {"all": slice(0, 6), "trans": slice(0, 3), "rot": slice(3, 6)}
@@ -58,6 +64,11 @@ class Robot:
         self.isSerialRobot = True
         self.name = ""
         self.frames: dict[str, tuple[int, FloatArray]] = {}
+        self.actuators: dict[str, RobotActuator] = {}
+        self.constraints: dict[str, RobotLoop | RobotCoupling] = {}
+        self.tendons: dict[str, RobotTendon] = {}
+        self.cables: dict[str, RobotCable] = {}
+        self.keyframes: dict[str, RobotKeyframe] = {}
 
     def __repr__(self) -> str:
         parts = {"base": self.base, "tool": self.tool, "links": self.links}
@@ -88,6 +99,47 @@ class Robot:
         self.isSerialRobot = self.isSerialRobot and link.parent == i - 1
         self.links.append(link)
         return i
+
+    def AddActuator(self, actuator: RobotActuator) -> None:
+        """Add an actuator, whose joint or tendon must be there; robot.actuators has all of them by name."""
+        if not isinstance(actuator, RobotActuator):
+            raise TypeError(f"Robot.AddActuator: received {actuator!r}, but expected a RobotActuator(...)")
+        if actuator.name in self.actuators:
+            raise ValueError(f"Robot.AddActuator: there is another '{actuator.name}' already; names must differ")
+        _ = place_of(self, actuator.frame) if actuator.frame else factors_of(self, actuator.joint)
+        self.actuators[actuator.name] = actuator
+
+    def AddTendon(self, tendon: RobotTendon) -> None:
+        """Add a tendon, whose joints must be there; robot.tendons has all of them by name.
+
+        Actuators and couplings take the name of a tendon in the place of that of a joint.
+        """
+        if not isinstance(tendon, RobotTendon):
+            raise TypeError(f"Robot.AddTendon: received {tendon!r}, but expected a RobotTendon(...)")
+        if tendon.name in self.tendons or any(tendon.name == link.jointName for link in self.links):
+            raise ValueError(f"Robot.AddTendon: there is another '{tendon.name}' already; names must differ")
+        tendon.Factors(self)
+        self.tendons[tendon.name] = tendon
+
+    def AddCable(self, cable: RobotCable) -> None:
+        """Add a cable, whose frames must be there; robot.cables has all of them by name."""
+        if not isinstance(cable, RobotCable):
+            raise TypeError(f"Robot.AddCable: received {cable!r}, but expected a RobotCable(...)")
+        if cable.name in self.cables or cable.name in self.tendons:
+            raise ValueError(f"Robot.AddCable: there is another '{cable.name}' already; names must differ")
+        for frame in (cable.frame0, cable.frame1):
+            place_of(self, frame)
+        self.cables[cable.name] = cable
+
+    def AddConstraint(self, constraint: RobotLoop | RobotCoupling) -> None:
+        """Add a loop or a coupling of joints, whose links must be there; robot.constraints has all of them by name."""
+        if not isinstance(constraint, RobotLoop | RobotCoupling):
+            expected = "a RobotLoop(...) or a RobotCoupling(...)"
+            raise TypeError(f"Robot.AddConstraint: received {constraint!r}, but expected {expected}")
+        if constraint.name in self.constraints:
+            raise ValueError(f"Robot.AddConstraint: there is another '{constraint.name}' already; names must differ")
+        constraint.check(self)
+        self.constraints[constraint.name] = constraint
 
     def IsSerialRobot(self) -> bool:
         """Return whether each link is carried by the one before."""
@@ -154,12 +206,17 @@ class Robot:
         return array
 
     def FollowedCoordinates(self, q: npt.ArrayLike) -> FloatArray:
-        """Return coordinates in which joints that follow others are where those take them."""
+        """Return coordinates in which joints that follow others, or are coupled to them, are where those take them."""
         result = self._coordinates("q", q).copy()
         for i, link in enumerate(self.links):
             if link.follows is not None:
                 leader, factor, offset = link.follows
                 result[..., i] = factor * result[..., self.GetJointIndex(leader)] + offset
+        couplings = [each for each in self.constraints.values() if isinstance(each, RobotCoupling) and each.active]
+        for coupling in couplings * len(couplings):  # leaders may follow others, in any order
+            if coupling.joint not in self.tendons:
+                at = result @ factors_of(self, coupling.leader) if coupling.leader else 0.0
+                result[..., self.GetJointIndex(coupling.joint)] = coupling.Coordinate(at)
         return result
 
     def JointHT(self, q: npt.ArrayLike) -> list[Any]:
@@ -240,13 +297,21 @@ class Robot:
     def _rotors(self) -> FloatArray:
         return np.array([link.rotorInertia for link in self.links])
 
+    def _added_mass(self) -> FloatArray:
+        """Return the mass matrix of rotors and tendons."""
+        M = np.diag(self._rotors())
+        for tendon in self.tendons.values():
+            factors = tendon.Factors(self)
+            M = M + tendon.inertia * np.outer(factors, factors)
+        return M
+
     def InverseDynamics(
         self, q: npt.ArrayLike, q_t: npt.ArrayLike, q_tt: npt.ArrayLike, gravity: npt.ArrayLike | None = None
     ) -> FloatArray:
-        """Return forces and torques of the drives for a motion: inertia, gravity, damping and friction of joints."""
-        rates, seconds = self._coordinates("q_t", q_t), self._coordinates("q_tt", q_tt)
-        rigid = self.Dynamics(gravity).InverseDynamics(self._coordinates("q", q), rates, seconds)
-        return rigid + self.JointResistance(rates) + self._rotors() * seconds
+        """Return forces and torques of the drives for a motion: inertia, gravity, and minus PassiveForces."""
+        at, rates, seconds = (self._coordinates(*each) for each in (("q", q), ("q_t", q_t), ("q_tt", q_tt)))
+        rigid = self.Dynamics(gravity).InverseDynamics(at, rates, seconds)
+        return rigid - self.PassiveForces(at, rates, gravity) + seconds @ self._added_mass()
 
     def JointResistance(self, q_t: npt.ArrayLike) -> FloatArray:
         """Return forces and torques of damping and dry friction, which drives have to overcome."""
@@ -254,15 +319,64 @@ class Robot:
         damping, friction = (np.array([getattr(link, what) for link in self.links]) for what in ("damping", "friction"))
         return np.asarray(damping * rates + friction * np.sign(rates))
 
+    def PassiveForces(self, q: npt.ArrayLike, q_t: npt.ArrayLike, gravity: npt.ArrayLike | None = None) -> FloatArray:
+        """Return forces in the joints: springs, damping and friction of joints, tendons, cables; supported masses."""
+        at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
+        weight = -(self.gravity if gravity is None else as_vector("Robot: gravity", gravity, 3))
+        return _forces.passive(self, at, rates, weight)
+
+    def ActuatorForces(
+        self, controls: npt.ArrayLike | Mapping[str, float], q: npt.ArrayLike, q_t: npt.ArrayLike
+    ) -> FloatArray:
+        """Return forces and torques of the actuators in the joints; ForwardDynamics takes them as torques.
+
+        controls are one number per actuator, in the order of robot.actuators, or numbers by name, zero for others;
+        actuators with dynamics take their activation.
+        """
+        at, rates = self._coordinates("q", q), self._coordinates("q_t", q_t)
+        values = np.moveaxis(self._controls("Robot.ActuatorForces", controls), -1, 0)
+        return _forces.of_actuators(self, values, at, rates)
+
+    def _controls(self, where: str, controls: npt.ArrayLike | Mapping[str, float]) -> FloatArray:
+        """Return controls in the order of the actuators."""
+        if isinstance(controls, Mapping):
+            for name in controls:
+                if name not in self.actuators:
+                    names = ", ".join(self.actuators) or "none"
+                    raise ValueError(f"{where}: controls: there is no actuator '{name}'; there are: {names}")
+            return np.array([as_number(f"{where}: controls", controls.get(name, 0.0)) for name in self.actuators])
+        values = as_array(f"{where}: controls", controls)
+        if values.ndim == 0 or values.shape[-1] != len(self.actuators):
+            raise shape_error(f"{where}: controls", f"{len(self.actuators)} numbers, one per actuator", controls)
+        return values
+
+    def SetControls(self, mbs: Any, made: dict[str, Any], controls: npt.ArrayLike | Mapping[str, float]) -> None:
+        """Set the controls of the actuators of a created robot: one number per actuator, or some of them by name.
+
+        made is the result of CreateKinematicTree, CreateRedundantCoordinateMBS or CreateRobot. It may be called before
+        a step of a solution as well.
+        """
+        values = self._controls("Robot.SetControls", controls)
+        names = list(controls) if isinstance(controls, Mapping) else list(self.actuators)
+        for name, value in zip(self.actuators, values, strict=True):
+            if name not in names:
+                continue
+            if not made["controls"][name]:
+                raise ValueError(f"Robot.SetControls: the control of actuator '{name}' is a function of time")
+            items = made["actuators"][name]
+            for item in items if isinstance(items, list) else [items]:
+                change = mbs.SetLoadParameter if isinstance(items, list) else mbs.SetObjectParameter
+                change(item, made["controls"][name], float(value))
+
     def MassMatrix(self, q: npt.ArrayLike) -> FloatArray:
         """Return the mass matrix in the coordinates of the joints."""
-        return self.Dynamics().MassMatrix(self._coordinates("q", q)) + np.diag(self._rotors())
+        return self.Dynamics().MassMatrix(self._coordinates("q", q)) + self._added_mass()
 
     def ForwardDynamics(self, q: npt.ArrayLike, q_t: npt.ArrayLike, torques: npt.ArrayLike) -> FloatArray:
         """Return the accelerations that forces and torques of drives bring about, the inverse of InverseDynamics."""
         rates = self._coordinates("q_t", q_t)
-        applied = self._coordinates("torques", torques) - self.JointResistance(rates)
-        if not self._rotors().any():
+        applied = self._coordinates("torques", torques) + self.PassiveForces(q, rates)
+        if not self._added_mass().any():
             return self.Dynamics().ForwardDynamics(self._coordinates("q", q), rates, applied)
         bias = self.Dynamics().BiasForces(self._coordinates("q", q), rates)
         return np.asarray(np.linalg.solve(self.MassMatrix(q), (applied - bias)[..., None])[..., 0])
@@ -270,11 +384,14 @@ class Robot:
     def KineticEnergy(self, q: npt.ArrayLike, q_t: npt.ArrayLike) -> FloatArray:
         """Return the kinetic energy (J)."""
         rates = self._coordinates("q_t", q_t)
-        rotors = 0.5 * self._rotors() * rates**2
-        return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors.sum(axis=-1)
+        rotors = 0.5 * np.sum(rates @ self._added_mass() * rates, axis=-1)
+        return self.Dynamics().KineticEnergy(self._coordinates("q", q), rates) + rotors
 
     def PotentialEnergy(self, q: npt.ArrayLike) -> FloatArray:
-        """Return the potential energy of the weight (J), zero with all centres of mass in the global origin."""
+        """Return the potential energy of the weight (J), zero with all centres of mass in the global origin.
+
+        Springs and supported masses are not in there.
+        """
         return self.Dynamics().PotentialEnergy(self._coordinates("q", q))
 
     def CenterOfMass(self, q: npt.ArrayLike) -> FloatArray:
@@ -290,17 +407,48 @@ class Robot:
         forceUserFunction: Callable[..., Any] | int = 0,
         limitStiffness: float = 0.0,
         limitDamping: float = 0.0,
+        keyframe: str = "",
     ) -> dict[str, Any]:
         """Add the robot to a system as a kinematic tree, on a node with the coordinates of the joints.
 
         Factors of PDcontrol become those of the tree; jointPositionOffsetVector and jointVelocityOffsetVector of the
         object are the set values of the drives. limitStiffness or limitDamping make joint limits elastic stops.
+        keyframe is the name of a state of robot.keyframes, which gives initial values and controls.
+
         Returns a dict with nodeGeneric, objectKinematicTree, baseObject (the ground that draws the base, or None),
-        links (the indices of links and joints by name), resistances (a connector per joint with damping, friction or
-        stops, else None), couplings (a constraint per joint that follows another, else None), and rotors (an object
-        with the inertia of rotors, or None).
+        links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
+        friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
+        object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators,
+        constraints and tendons (their objects by name, of tendons those with forces), and controls (the names of the
+        parameters of actuators that are the controls, see SetControls).
         """
-        return _tree.create(self, mbs, name, forceUserFunction, (limitStiffness, limitDamping))
+        start = self._keyframe("Robot.CreateKinematicTree", keyframe)
+        stops = limitStiffness, limitDamping
+        return _tree.create(self._driven(start), mbs, name, forceUserFunction, stops, start)
+
+    def _keyframe(self, where: str, name: str) -> RobotKeyframe | None:
+        """Return a keyframe by its name; None if there is no name."""
+        if not name:
+            return None
+        if name not in self.keyframes:
+            names = ", ".join(self.keyframes) or "none"
+            raise ValueError(f"{where}: keyframe: there is no '{name}'; there are: {names}")
+        return self.keyframes[name]
+
+    def _driven(self, start: RobotKeyframe | None) -> Robot:
+        """Return the robot with controls and activations of a keyframe."""
+        if start is None:
+            return self
+        robot = copy(self)
+        robot.actuators = {
+            name: replace(
+                actuator,
+                control=start.controls.get(name, actuator.control),
+                activation=start.activations.get(name, actuator.activation),
+            )
+            for name, actuator in self.actuators.items()
+        }
+        return robot
 
     def CreateRedundantCoordinateMBS(
         self,
@@ -312,6 +460,7 @@ class Robot:
         rotationMarkerBase: npt.ArrayLike | None = None,
         rigidBodyNodeType: NodeType = NodeType.RotationEulerParameters,
         name: str = "",
+        keyframe: str = "",
     ) -> dict[str, Any]:
         """Add the robot to a system as rigid bodies and joints, on a rigid marker that may move.
 
@@ -320,13 +469,24 @@ class Robot:
         functions of loads, or zero until mbs.SetLoadParameter sets them (unitTorque0List and unitTorque1List have their
         directions); with createJointTorqueLoads=False there are only the former. rotationMarkerBase turns the base
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
-        joints, after a name, which tells several robots apart. Returns a dict with lists of one entry per link:
+        joints, after a name, which tells several robots apart. keyframe is as in CreateKinematicTree, without
+        rates. Returns a dict with lists of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
-        unitTorque0List, unitTorque1List; baseObject, the ground that draws the base, or -1; and links, the indices of
-        links and joints by name.
+        unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
+        base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
+        actuators, controls, constraints and tendons as in CreateKinematicTree.
         """
+        robot, start = self, self._keyframe("Robot.CreateRedundantCoordinateMBS", keyframe)
+        if start is not None:
+            if start.q_t.any():
+                raise ValueError(
+                    f"Robot.CreateRedundantCoordinateMBS: keyframe '{keyframe}' has rates, which need the "
+                    "coordinates of the joints; use CreateKinematicTree"
+                )
+            robot = self._driven(start)
+            robot.referenceConfiguration = start.q.copy()
         return _redundant.create(
-            self,
+            robot,
             mbs,
             baseMarker,
             _redundant.Options(

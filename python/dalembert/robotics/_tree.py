@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
@@ -10,9 +11,11 @@ import numpy as np
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
+from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
-from dalembert.robotics import _drawing
-from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList
+from dalembert.robotics import _actuators, _constraints, _drawing, _tendons
+from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList, RobotKeyframe
+from dalembert.robotics._tendons import AddMarker
 from dalembert.treeDynamics import TreeDynamics
 
 if TYPE_CHECKING:
@@ -58,50 +61,51 @@ def _control(robot: Robot) -> dict[str, Any]:
 
 
 def _resistance(robot: Robot, i: int, stops: tuple[float, float]) -> dict[str, Any]:
-    """Return damping, friction and stops of a joint as parameters of a connector; empty if there are none."""
+    """Return spring, damping, friction and stops of a joint as parameters of a connector; empty if there are none."""
     link, parameters = robot.links[i], dict[str, Any]()
+    reference = robot.referenceConfiguration[i]  # markers measure from there
+    if link.stiffness:
+        parameters |= {"stiffness": link.stiffness, "offset": link.springReference - reference}
     if link.damping:
         parameters["damping"] = link.damping
     if link.friction:
         parameters |= {"fDynamicFriction": link.friction, "frictionProportionalZone": REGULAR_VELOCITY}
     if link.jointLimits is not None and any(stops) and np.isfinite(link.jointLimits).all():
-        lower, upper = link.jointLimits - robot.referenceConfiguration[i]  # markers measure from there
+        lower, upper = link.jointLimits - reference
         parameters |= {"useLimitStops": True, "limitStopsLower": lower, "limitStopsUpper": upper}
         parameters |= {"limitStopsStiffness": stops[0], "limitStopsDamping": stops[1]}
     return parameters
 
 
-def _add_resistances(robot: Robot, mbs: Any, node: Any, stops: tuple[float, float]) -> list[Any]:
-    """Add a connector from ground to each coordinate whose joint has damping, friction or stops; None for others."""
-    wanted = [_resistance(robot, i, stops) for i in range(len(robot.links))]
-    if not any(wanted):
-        return [None] * len(wanted)
-    ground = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(items.NodePointGround()), coordinate=0))
+def _add_resistances(robot: Robot, mbs: Any, coordinate: Callable[[int], Any], stops: tuple[float, float]) -> list[Any]:
+    """Add a connector from ground to each coordinate whose joint has a spring, damping, friction or stops.
+
+    It is None for other joints.
+    """
     added: list[Any] = []
-    for i, parameters in enumerate(wanted):
+    for i, parameters in enumerate(_resistance(robot, i, stops) for i in range(len(robot.links))):
         if not parameters:
             added.append(None)
             continue
-        marker = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=i))
         if "useLimitStops" in parameters:
             history = items.NodeGenericData(numberOfDataCoordinates=3, initialCoordinates=[0, 0, 0])
             parameters["nodeNumber"] = mbs.AddNode(history)
         view = items.VObjectConnectorCoordinateSpringDamperExt(show=False)
         connector = items.ObjectConnectorCoordinateSpringDamperExt(
-            markerNumbers=[ground, marker], stiffness=0, visualization=view, **parameters
+            markerNumbers=[coordinate(-1), coordinate(i)], visualization=view, **parameters
         )
         added.append(mbs.AddObject(connector))
     return added
 
 
-def _add_coupling(robot: Robot, mbs: Any, node: Any, i: int) -> Any:
+def _add_coupling(robot: Robot, mbs: Any, coordinate: Callable[[int], Any], i: int) -> Any:
     """Add the constraint of a joint that follows another; None if it does not."""
     follows = robot.links[i].follows
     if follows is None:
         return None
     leader, factor, offset = robot.GetJointIndex(follows[0]), *follows[1:]
     reference = robot.referenceConfiguration  # reference of the markers
-    markers = [mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=j)) for j in (i, leader)]
+    markers = [coordinate(i), coordinate(leader)]
     apart = reference[i] - factor * reference[leader] - offset
     view = items.VObjectConnectorCoordinate(show=False)
     return mbs.AddObject(
@@ -116,6 +120,72 @@ def _add_rotors(robot: Robot, mbs: Any, node: Any) -> Any:
         return None
     view = items.VObjectGenericODE2(show=False)
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], massMatrix=np.diag(inertias), visualization=view))
+
+
+def _coordinate_of(mbs: Any, node: Any) -> Callable[[int], Any]:
+    """Return the function that gives the markers of coordinates, with one for ground at -1."""
+    markers: dict[int, Any] = {}
+
+    def marker(i: int) -> Any:
+        if i not in markers:
+            owner = mbs.AddNode(items.NodePointGround()) if i < 0 else node
+            markers[i] = mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=owner, coordinate=max(i, 0)))
+        return markers[i]
+
+    return marker
+
+
+def _add_actuators(
+    robot: Robot, mbs: Any, node: Any, coordinate: Callable[[int], Any], place: AddMarker
+) -> dict[str, Any]:
+    """Add the actuators between their joints and ground, on the coordinates of tendons, or on frames."""
+    objects: dict[str, Any] = {}
+    for name, actuator in robot.actuators.items():
+        if actuator.frame:
+            objects[name] = _actuators.add_thruster(robot, mbs, actuator, place)
+            continue
+        if actuator.joint in robot.tendons:
+            objects[name] = _actuators.add_to_tendon(robot, mbs, node, actuator)
+            continue
+        i = robot.GetJointIndex(actuator.joint)
+        reference = robot.referenceConfiguration[i]  # markers measure from there; ground is the second one
+
+        def motion(q: Any, q_t: Any, reference: float = reference) -> tuple[Any, Any]:
+            return reference - q, -q_t
+
+        made = _actuators.law(actuator, "coordinates", motion, lambda force: force)
+        objects[name] = _actuators.add(mbs, made, [coordinate(i), coordinate(-1)])
+    return {"actuators": objects, "controls": _actuators.control_parameters(mbs, objects)}
+
+
+def _marker_of(robot: Robot, mbs: Any, tree: Any) -> AddMarker:
+    """Return the function that adds markers on links of a tree, and on ground for its base."""
+    ground: list[Any] = []
+
+    def marker(i: int, T: FloatArray) -> tuple[Any, FloatArray]:
+        made: Any
+        if i < 0:
+            if not ground:
+                ground.append(mbs.AddObject(items.ObjectGround(visualization=items.VObjectGround(show=False))))
+            T = np.asarray(robot.base.HT) @ T
+            made = items.MarkerBodyRigid(bodyNumber=ground[0], localPosition=T[:3, 3])
+        else:
+            T = np.asarray(robot.links[i].localHT) @ T
+            made = items.MarkerKinematicTreeRigid(objectNumber=tree, linkNumber=i, localPosition=T[:3, 3])
+        return mbs.AddMarker(made), T[:3, :3]
+
+    return marker
+
+
+def add_supports(robot: Robot, mbs: Any, marker: AddMarker) -> list[Any]:
+    """Add the forces that carry supported masses."""
+    return [
+        mbs.AddLoad(
+            items.LoadForceVector(markerNumber=marker(i, HTtranslate(place))[0], loadVector=-mass * robot.gravity)
+        )
+        for i, link in enumerate(robot.links)
+        for mass, place in link.supported
+    ]
 
 
 def _mechanics(robot: Robot, gravity: FloatArray) -> dict[str, Any]:
@@ -165,7 +235,14 @@ def dynamics(robot: Robot, gravity: FloatArray) -> TreeDynamics:
     return known[1]
 
 
-def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tuple[float, float]) -> dict[str, Any]:
+def create(
+    robot: Robot,
+    mbs: Any,
+    name: str,
+    forceUserFunction: Any,
+    stops: tuple[float, float],
+    start: RobotKeyframe | None = None,
+) -> dict[str, Any]:
     """Add node, tree and the items that act on its joints; see Robot.CreateKinematicTree."""
     require_system("Robot.CreateKinematicTree", mbs)
     n = len(robot.links)
@@ -180,19 +257,24 @@ def create(robot: Robot, mbs: Any, name: str, forceUserFunction: Any, stops: tup
     )
     coordinates = items.NodeGenericODE2(
         referenceCoordinates=robot.referenceConfiguration[:n],
-        initialCoordinates=[0.0] * n,
-        initialCoordinates_t=[0.0] * n,
+        initialCoordinates=np.zeros(n) if start is None else start.q - robot.referenceConfiguration[:n],
+        initialCoordinates_t=np.zeros(n) if start is None else start.q_t,
         numberOfODE2Coordinates=n,
     )
     base = _drawing.add_base(robot, mbs)
     node = item.nodeNumber = mbs.AddNode(coordinates)
     tree = mbs.AddObject(item)
+    marker, coordinate = _marker_of(robot, mbs, tree), _coordinate_of(mbs, node)
     return {
         "nodeGeneric": node,
         "objectKinematicTree": tree,
         "baseObject": base,
         "links": robot.LinkNumbers(),
-        "resistances": _add_resistances(robot, mbs, node, stops),
-        "couplings": [_add_coupling(robot, mbs, node, i) for i in range(n)],
+        "resistances": _add_resistances(robot, mbs, coordinate, stops),
+        "couplings": [_add_coupling(robot, mbs, coordinate, i) for i in range(n)],
         "rotors": _add_rotors(robot, mbs, node),
+        "tendons": _tendons.add(robot, mbs, node, stops) | _tendons.add_cables(robot, mbs, marker, stops),
+        "supports": add_supports(robot, mbs, marker),
+        "constraints": _constraints.add(robot, mbs, marker, node, coordinate),
+        **_add_actuators(robot, mbs, node, coordinate, marker),
     }

@@ -244,6 +244,9 @@ def _warn_of_what_is_left_out(fileName: str | Path, root: Element) -> None:
     for gazebo in root.every("gazebo"):
         if any(element.tag in _SPRINGS for element in _descendants(gazebo)):
             left.append(f"springs of <gazebo reference='{gazebo.text('reference', '')}'>")
+    transmissions = [element.text("name", "") for element in root.every("transmission")]
+    if transmissions:
+        left.append(f"<transmission> {', '.join(map(repr, transmissions))}")
     if left:
         warnings.warn(f"{fileName}: left out: {', '.join(left)}", stacklevel=4)
 
