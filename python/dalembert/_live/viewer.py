@@ -21,6 +21,7 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
+from dalembert._live.records import Past
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw
@@ -70,6 +71,7 @@ class Viewer:
         self.container, self.settings = container, container.visualizationSettings
         self.shadows: list[Any] = []
         self._histories: list[History] = []
+        self.past = Past()
         self.studio: Studio | None = None
         self.stage = Stage()
         self.selection: tuple[int, str, int, float] | None = None
@@ -90,6 +92,7 @@ class Viewer:
         self._interval = self._wanted_interval()
         self._complaint = ""
         self._told: dict[str, Any] = {}  # last message of the state
+        self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[str, dict[str, Any]] = {}  # last message of the settings, by name of the color output
         self._seen = 0.0  # when a page was there, or is expected
@@ -303,11 +306,14 @@ class Viewer:
             self.shadows = [_core._Shadow(mbs) for mbs in systems]
             self._histories = [History(*both, self.settings) for both in zip(systems, self.shadows, strict=True)]
         self._flow = self._only_moving()
-        places = self.selection is None and self._flow is not None
-        state = items = structure = False
-        for shadow in self.shadows:
-            has_moved, has_other_items, is_other_model = shadow.follow(places)
-            state, items, structure = state or has_moved, items or has_other_items, structure or is_other_model
+        places = self.selection is None and self._flow is not None and not self.past.is_due()
+        news = [shadow.follow(places) for shadow in self.shadows]
+        moved, items, structure = [new[0] for new in news], any(new[1] for new in news), any(new[2] for new in news)
+        if changed or structure:
+            self.past.begin(self.shadows)
+        state = self.past.take(moved)
+        for history in self._histories:
+            history.rests = self.past.time is not None
         self._stale = self._stale or items
         now = time.monotonic()
         again = changed or structure or self.studio is None or (self._stale and now - self._made > OFTEN)
@@ -332,6 +338,7 @@ class Viewer:
             self._tell_details(*self.selection[:3])
         if self._state() != self._told:
             self._tell_state()
+        self._tell_times()
 
     def _know_settings(self) -> None:
         if not self.settings._equals(self._known_settings):
@@ -352,6 +359,7 @@ class Viewer:
     def _on_opened(self, page: int, message: dict[str, Any]) -> None:
         self._views = True
         self._tell_state(page)
+        self.server.tell(self.past.words(), page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
 
@@ -432,6 +440,15 @@ class Viewer:
                 raise ValueError("expected a number or a text")
             self.values[name] = value
 
+    def _on_seek(self, page: int, message: dict[str, Any]) -> None:
+        """Look back, or at the present state."""
+        when, speed = message["time"], float(message.get("speed", 1.0))
+        if when is not None and not np.isfinite(float(when)) or not 0 < speed < np.inf:
+            raise ValueError("expected finite numbers, and a positive speed")
+        when = None if when is None else float(when)
+        self.past.seek(when, int(message.get("step", 0)), bool(message.get("plays")), speed)
+        self._tell_times()
+
     # ---- what they lead to
 
     def _leave(self, call: Callable[[], object]) -> None:
@@ -484,6 +501,12 @@ class Viewer:
         if page is None:
             self._told = state
         self.server.tell(state, page)
+
+    def _tell_times(self) -> None:
+        words = self.past.words()
+        if words != self._told_times:
+            self._told_times = words
+            self.server.tell(words)
 
     def _tell_details(self, system: int, kind: str, number: int) -> None:
         mbs = self.shadows[system].system

@@ -4,6 +4,7 @@ import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
+import { Times } from "./times.js";
 import { View, element } from "./view.js";
 
 const GROUPS = [["n", "nodes"], ["b", "bodies"], ["c", "connectors"], ["m", "markers"], ["l", "loads"], ["s", "sensors"]];
@@ -43,6 +44,14 @@ export class Live extends View {
 
   tools() {
     const { bar } = this;
+    this.times = new Times(bar, {
+      seek: (time) => this.seek({ time, plays: false }),
+      step: (step) => this.seek({ time: this.now, step, plays: false }),
+      play: (plays) => this.seek({ time: this.back ? this.now : Number(this.times.slider.min), plays }),
+      pace: () => this.back && this.times.playing && this.seek({ time: this.now, plays: true }),
+    });
+    this.times.range(0, 0, "any", 0);
+    this.present = element(this.times.bar, "button", { textContent: "live", title: "back to the present state", onclick: () => this.seek({ time: null }) });
     const button = (text, title, onclick) => element(bar, "button", { textContent: text, title, onclick: () => (onclick(), this.canvas.focus()) });
     this.pause = button("❚❚", "pause or go on (space)", () => this.press(" "));
     button("stop", "stop the solver (Q)", () => this.press("q"));
@@ -84,6 +93,11 @@ export class Live extends View {
   sides() {
     const now = this.looking();
     return [1, 3, 2].map((plane, i) => ({ number: i + 1, camera: { ...now, rotation: rows(plane) }, clip: this.clip ?? [0, 0, 0, 0] }));
+  }
+
+  // Look back at a recorded state: {time, step, plays}; time null is the present state.
+  seek(words) {
+    this.send("seek", { speed: this.times.speed, ...words });
   }
 
   // A solution that the reader looks through, in front of what is live.
@@ -130,6 +144,8 @@ export class Live extends View {
     if (counts) this.counts = counts;
     if (places) this.write(this.texts, places);
     this.range?.(...head.range);
+    this.now = head.time;
+    this.times.at(head.time);
     this.words = this.when(head.time);
     this.tell(this.distance);
     this.mark();
@@ -168,6 +184,7 @@ export class Live extends View {
         this.state.textContent = words.text;
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
+      times: () => this.recorded(words),
       camera: () => this.lead(words.camera),
       views: () => this.split(words.views),
       notice: () => (this.notice.textContent = words.text),
@@ -180,6 +197,15 @@ export class Live extends View {
       motion: () => this.replay(words.data),
     };
     actions[words.kind]?.();
+  }
+
+  // Which times can be looked back to, and whether readers do.
+  recorded({ first, last, count, back, plays }) {
+    this.back = back;
+    this.times.range(first, last, "any", count);
+    this.times.at(this.now);
+    this.times.plays(plays);
+    this.present.disabled = !back;
   }
 
   // Look as the viewer says; it need not be told.
@@ -247,6 +273,7 @@ export class Live extends View {
   // Keys that move the view; true if this was one.
   moveBy(key, { code, ctrlKey: control, altKey: alt, shiftKey: shift }) {
     const small = control ? 0.1 : 1, [shiftStep, turn, zoom] = this.steps, digit = /^Digit([1-6])$/.exec(code)?.[1];
+    if (key === "[" || key === "]") return this.seek({ time: this.now, step: key === "]" ? 1 : -1 }), true;
     if (digit && (control || alt)) return this.plane(digit, shift), true;
     const move = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
     if (move && !code.startsWith("Numpad")) return this.shift(move.map((part) => part * shiftStep * small)), true;
