@@ -321,7 +321,9 @@ def test_saved_pages_look_as_settings_say(falling: Any) -> None:
         tab.wait("page.drawn > 0")
         opacity = tab.value("page.objects.filter((object) => object.isMesh).map((object) => object.material.opacity)")
         assert opacity and opacity == pytest.approx([0.25] * len(opacity))
-        assert tab.value("page.objects.filter((object) => object.userData.edges).every((object) => object.visible)")
+        assert tab.value(
+            "page.objects.filter((object) => object.userData.rim).every((object) => object.visible !== !!object.userData.hidden)"
+        )
         assert tab.value("page.renderer.clippingPlanes.map(({ normal, constant }) => [normal.z, constant])") == [
             [-1, 0.5]
         ]
@@ -369,3 +371,54 @@ def test_where_windows_are_opened(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DALEMBERT_VIEWER", "off")
     assert not showing.has_display()
     assert not showing.in_notebook()
+
+
+def test_items_are_searched_hidden_veiled_and_isolated(mbs: Any) -> None:
+    """Hidden items are neither drawn nor picked; a transparent one lets those behind it shine through; weight is hidden
+    until it is shown."""
+    for number, color in enumerate(([1, 0, 0, 1], [0, 0, 1, 1])):
+        mbs.CreateRigidBody(
+            name=("front", "back")[number], referencePosition=[0, 0, -2 * number], gravity=[0, -9.81, 0],
+            inertia=exu.utilities.InertiaCuboid(1000, [1, 1, 1]), graphicsDataList=[graphics.Brick(size=[1, 1, 1], color=color)],
+        )  # fmt: skip
+    mbs.Assemble()
+    mbs.GetSystemContainer().visualizationSettings.nodes.show = False
+    mbs.SaveHTML("two.html", view="front")
+    with browser.running() as program:
+        tab = program.tab(Path("two.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        tab.value("page.look({ ...page.looking(), zoom: 4 })")
+
+        def middle() -> Any:
+            """Red, green and blue in the middle of the picture, and the name of the item that is picked there."""
+            return tab.value("""(() => {
+              page.render();
+              const gl = page.renderer.getContext(), pixel = new Uint8Array(4), [x, y] = page.projected([0.2, 0.2, 0.5]);
+              gl.readPixels(x, page.canvas.height - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+              return [...pixel.slice(0, 3), page.itemAt(x, y)?.[3] ?? null];
+            })()""")
+
+        names = "[...document.querySelectorAll('.panel .item a')].map((a) => a.textContent)"
+        red, _, blue, name = middle()
+        assert red > 100 and blue < 60 and name == "front"
+        loads = tab.value("page.items.flatMap((item, i) => (item[0] === 'Load' ? [page.opacity(i)] : []))")
+        assert loads == [0, 0]
+        tab.value("[...page.bar.querySelectorAll('button')].find((b) => b.textContent === 'items').click()")
+        assert {"0 front", "1 back"} <= set(tab.value(names))
+        press = "[...document.querySelectorAll('.panel .item')].find((r) => r.textContent.includes('{}')).{}"
+        tab.value(press.format("0 front", "querySelector('[title^=transparent]').click()"))
+        mixed, _, shining, name = middle()
+        assert mixed < red - 20 and shining > blue + 20 and name == "front"
+        tab.value(press.format("0 front", "querySelector('input').click()"))
+        red, _, blue, name = middle()
+        assert red < 60 and blue > 100 and name == "back"
+        tab.value(press.format("0 front", "querySelector('[title$=only]').click()"))
+        assert middle()[3] == "front"
+        assert tab.value("page.items.filter((_, i) => page.opacity(i)).map((item) => item[3])") == ["front"]
+        tab.value(press.format("1 back", "querySelector('[title^=zoom]').click()"))
+        assert tab.value("page.looking().center") == pytest.approx([0, 0, -2], abs=1e-6)
+        tab.value("(() => { const s = document.querySelector('.panel input'); s.value = 'BACK'; s.oninput(); })()")
+        assert tab.value(names) == ["1 back"]
+        tab.value("[...document.querySelectorAll('.panel button')].find((b) => b.textContent === 'show all').click()")
+        assert tab.value("page.items.every((_, i) => page.opacity(i) === 1)")
+        assert not tab.errors

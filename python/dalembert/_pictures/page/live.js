@@ -66,6 +66,7 @@ export class Live extends View {
     choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
     choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
       (value) => this.press(value[0], value.length > 1));
+    button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
     button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
     button("dark", "dark or light", () => this.dark());

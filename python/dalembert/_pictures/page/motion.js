@@ -1,6 +1,7 @@
 // The page of a motion: play and scrub.
 import { frame } from "./data.js";
 import { lines, mesh, spheres } from "./shapes.js";
+import { Panels } from "./panels.js";
 import { Times } from "./times.js";
 import { View, element } from "./view.js";
 
@@ -52,6 +53,7 @@ export class Motion extends View {
   constructor(place, head, arrays) {
     super(place);
     Object.assign(this, { head, frame: 0, playing: head.plays, since: 0 });
+    this.panels = new Panels(place);
     const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays, this.drawnBy), curves(head.lines, arrays)];
     this.movers = [...parts.map(([, go]) => go), this.writing(head.labels, arrays)];
     this.replace(parts.flatMap(([made]) => made), head.items);
@@ -82,6 +84,7 @@ export class Motion extends View {
     this.times = new Times(bar, { seek, step: (step) => this.go(step), play, pace: () => (this.since = 0) });
     this.times.range(0, count - 1, 1, count);
     element(bar, "button", { textContent: "view", title: "back to the first view (a)", onclick: () => this.look(head.camera) });
+    element(bar, "button", { textContent: "items", title: "list of items: search, hide, isolate", onclick: () => this.panels.items(this) });
     element(bar, "button", { textContent: "edges", title: "show edges (e)", onclick: () => this.edges() });
     element(bar, "button", { textContent: "dark", title: "dark or light (d)", onclick: () => this.dark() });
     element(bar, "button", { textContent: "picture", title: "save a picture", onclick: () => this.save() });
@@ -130,7 +133,7 @@ export class Motion extends View {
       e: () => this.edges(),
       d: () => this.dark(),
     };
-    if (!actions[event.key] || event.ctrlKey || event.metaKey) return;
+    if (!actions[event.key] || event.ctrlKey || event.metaKey || event.target.type === "text") return;
     event.preventDefault();
     actions[event.key]();
   }

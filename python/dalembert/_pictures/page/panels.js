@@ -3,10 +3,12 @@ import { Plot } from "./plot.js";
 import { element } from "./view.js";
 
 const PLOT = [320, 190]; // pixels
+const LISTED = 200; // items of a kind that are listed; others are found by their names
+const VEILED = 0.3; // opacity
 
 export class Panels {
   // `left` is called with the name of a panel that the reader has closed.
-  constructor(place, send, left) {
+  constructor(place, send = () => {}, left = () => {}) {
     Object.assign(this, { place, send, left, open: {}, column: element(place, "div", { className: "column" }) });
   }
 
@@ -58,6 +60,46 @@ export class Panels {
         const input = element(row, "input", { type: "text", value, onchange: () => set(input.value) });
       }
     }
+  }
+
+  // All items of a view: a search, and for each item whether it is shown, transparent, or alone.
+  items(view) {
+    const words = this.open.items?.querySelector("input").value ?? "", panel = this.panel("items", "items");
+    const opened = (this.opened ??= new Set(["Object"])), list = document.createElement("div");
+    const refill = () => (fill(), view.canvas.focus());
+    const fill = () => {
+      list.replaceChildren();
+      const kinds = {}, wanted = search.value.toLowerCase();
+      view.items.forEach(([kind, number, type, name], i) => {
+        if (`${kind} ${number} ${name} ${kind}${type}`.toLowerCase().includes(wanted)) (kinds[kind] ??= []).push(i);
+      });
+      for (const [kind, numbers] of Object.entries(kinds)) {
+        const open = opened.has(kind) || !!wanted, group = element(list, "details", { open }), head = element(group, "summary");
+        group.ontoggle = () => opened[group.open ? "add" : "delete"](kind);
+        this.shown(head, view, numbers, `${kind.toLowerCase()}s (${numbers.length})`, refill);
+        for (const i of numbers.slice(0, LISTED)) {
+          const [, number, type, name] = view.items[i], row = element(group, "div", { className: "item" });
+          this.shown(row, view, [i], "", refill);
+          element(row, "a", { textContent: `${number} ${name}`, title: `${kind}${type}`, onclick: () => view.pick({ number: i, distance: 0 }) });
+          const button = (textContent, title, act) => element(row, "button", { textContent, title, onclick: () => (act(), refill()) });
+          button("◐", "transparent or not", () => view.veil([i], view.opacity(i) === VEILED ? 1 : VEILED));
+          button("◉", "show this item only", () => (view.veil(view.items.keys(), 0), view.veil([i], 1)));
+          button("⊕", "zoom to this item", () => view.approach(i));
+        }
+        if (numbers.length > LISTED) element(group, "div", { textContent: `${numbers.length - LISTED} more: search by number, name or type` });
+      }
+    };
+    const search = element(panel, "input", { type: "text", value: words, placeholder: "number, name or type", oninput: fill });
+    element(panel, "button", { textContent: "show all", onclick: () => (view.veil(view.items.keys(), 1), refill()) });
+    panel.append(list);
+    fill();
+  }
+
+  // A check box that shows and hides items.
+  shown(parent, view, numbers, text, changed) {
+    const label = element(parent, "label"), checked = numbers.some((number) => view.opacity(number));
+    element(label, "input", { type: "checkbox", checked, title: "show", onchange: ({ target }) => (view.veil(numbers, target.checked ? 1 : 0), changed()) });
+    element(label, "span", { textContent: text });
   }
 
   // A plane across one axis; what is beyond it is left out.

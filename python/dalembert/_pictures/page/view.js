@@ -56,7 +56,7 @@ function drawnBy(gl) {
 
 export class View {
   constructor(place) {
-    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [] });
+    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [], opacities: new Map() });
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.drawnBy = drawnBy(this.renderer.getContext());
@@ -107,8 +107,32 @@ export class View {
     this.items = items;
     this.scene.add(...objects);
     for (const object of objects) if (object.isMesh) object.userData.own = { opacity: object.material.opacity, clear: object.material.transparent };
+    this.reveal();
+    this.list();
+  }
+
+  // Opacity of the item with a number, 0 if it is hidden; weight is, until readers show it.
+  opacity(number) {
+    const item = this.items[number];
+    return this.opacities.get(JSON.stringify(item)) ?? (item?.[2] === "MassProportional" ? 0 : 1);
+  }
+
+  // Show, hide or veil items.
+  veil(numbers, opacity) {
+    for (const number of numbers) this.opacities.set(JSON.stringify(this.items[number]), opacity);
+    this.reveal();
+  }
+
+  reveal() {
+    for (const object of this.objects) object.userData.reveal?.((number) => this.opacity(number));
+    this.fade(this.faded ?? 1);
+    this.showEdges();
     this.mark();
-    this.wish();
+  }
+
+  // The panel of all items, if it is open.
+  list() {
+    if (this.panels?.open.items) this.panels.items(this);
   }
 
   paint(background) {
@@ -163,15 +187,19 @@ export class View {
   }
 
   showEdges() {
-    for (const object of this.objects) if (object.userData.edges) object.visible = !!this.allEdges;
+    for (const object of this.objects) {
+      const { rim, marked, hidden } = object.userData;
+      if (rim) object.visible = (marked || !!this.allEdges) && !hidden;
+    }
     this.wish();
   }
 
   // How clear faces are, on top of their own colors; 0 hides them.
   fade(part) {
+    this.faded = part;
     for (const object of this.objects) {
       if (!object.isMesh) continue;
-      const { opacity, clear } = object.userData.own;
+      const { own: { opacity, clear: own }, veiled } = object.userData, clear = own || veiled;
       Object.assign(object.material, { opacity: opacity * part, transparent: clear || part < 1, depthWrite: part === 1 && !clear, visible: part > 0 });
       object.material.needsUpdate = true;
     }
@@ -200,10 +228,10 @@ export class View {
     ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
     const cuts = pane ? pane.clip : this.renderer.clippingPlanes;
     const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
-    const found = hits.find(({ point }) => cuts.every((plane) => plane.distanceToPoint(point) >= 0));
+    const item = ({ object, instanceId }) => object.userData.items[instanceId ?? 0];
+    const found = hits.find((hit) => this.opacity(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
     if (!found) return null;
-    const { object, instanceId, point, distance } = found;
-    return { number: object.userData.items[instanceId ?? 0], point, distance };
+    return { number: item(found), point: found.point, distance: found.distance };
   }
 
   itemAt(x, y, pane) {
@@ -246,21 +274,34 @@ export class View {
   mark() {
     if (this.box) this.scene.remove(this.box);
     this.box = null;
-    if (this.picked == null || !this.marks) return;
+    this.wish();
+    if (this.picked == null || !this.marks || !this.opacity(this.picked)) return;
+    const around = this.around(this.picked);
+    if (around.isEmpty()) return;
+    this.box = new Box3Helper(around, 0xcc0d0d);
+    this.scene.add(this.box);
+  }
+
+  // The smallest box around an item.
+  around(number) {
     const around = new Box3(), part = new Box3(), matrix = new Matrix4();
     for (const object of this.objects) {
       if (!object.isMesh) continue;
       object.userData.items.forEach((item, i) => {
-        if (item !== this.picked) return;
+        if (item !== number) return;
         if (!object.geometry.boundingBox || object.userData.deforms) object.geometry.computeBoundingBox();
         part.copy(object.geometry.boundingBox);
         if (object.isInstancedMesh) object.getMatrixAt(i, matrix), part.applyMatrix4(matrix);
         around.union(part);
       });
     }
-    if (around.isEmpty()) return;
-    this.box = new Box3Helper(around, 0xcc0d0d);
-    this.scene.add(this.box);
+    return around;
+  }
+
+  // Let an item fill half of the view.
+  approach(number) {
+    const around = this.around(number), size = around.getSize(new Vector3()).length();
+    if (size) this.look({ ...this.looking(), center: [...around.getCenter(new Vector3())], zoom: size });
   }
 
   measure(hit) {
