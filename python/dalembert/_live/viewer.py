@@ -24,7 +24,7 @@ from dalembert._live.opening import PATIENCE, RETURN
 from dalembert._live.records import Past
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
-from dalembert._pictures import draw
+from dalembert._pictures import draw, forces
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
@@ -94,7 +94,8 @@ class Viewer:
         self._told: dict[str, Any] = {}  # last message of the state
         self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
-        self._words: dict[str, dict[str, Any]] = {}  # last message of the settings, by name of the color output
+        self._words: dict[Any, dict[str, Any]] = {}  # last message of the settings, by what else is in it
+        self._forces = False  # arrows of forces are drawn
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
@@ -275,8 +276,10 @@ class Viewer:
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
         if not self._words:
             tell_settings_of_pictures(self.settings)
-        words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
-        self._words = {scene.value_name: words}
+        scales = [maker.forces.words(maker.looks.size) for maker in self.studio.makers if maker.forces is not None]
+        known = scene.value_name, *scales
+        words = self._words.get(known) or views.words(self.settings, scene, looks) | {"forces": "\n".join(scales)}
+        self._words = {known: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1
         if self._home:
@@ -322,6 +325,7 @@ class Viewer:
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
+                maker.show_forces(self._forces)
                 history.forget_frames()
             self._home = self._home or changed or structure
         if again or items:
@@ -413,6 +417,7 @@ class Viewer:
             self.selection = None
             return
         kind, item, _, _, system = picked
+        kind = forces.owner(picked) if kind == forces.KIND else kind
         if kind not in details.KINDS or not int(advanced.selectionLeftMouseItemTypes) >> details.KINDS.index(kind) & 1:
             self.selection = None
             return
@@ -439,6 +444,13 @@ class Viewer:
             if not isinstance(value, (bool, int, float, str)):
                 raise ValueError("expected a number or a text")
             self.values[name] = value
+
+    def _on_forces(self, page: int, message: dict[str, Any]) -> None:
+        """Draw arrows of forces, or none."""
+        self._forces = not self._forces
+        for maker in self.studio.makers if self.studio is not None else []:
+            maker.show_forces(self._forces)
+        self._dirty = True
 
     def _on_seek(self, page: int, message: dict[str, Any]) -> None:
         """Look back, or at the present state."""

@@ -67,6 +67,7 @@ export class Live extends View {
     choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
       (value) => this.press(value[0], value.length > 1));
     button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
+    button("forces", "forces of loads, joints, connectors and contacts as arrows (F)", () => this.send("forces"));
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
     button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
     button("dark", "dark or light", () => this.dark());
@@ -147,7 +148,7 @@ export class Live extends View {
     this.range?.(...head.range);
     this.now = head.time;
     this.times.at(head.time);
-    this.words = this.when(head.time);
+    this.words = [this.when(head.time), this.forces].filter(Boolean).join("\n");
     this.tell(this.distance);
     this.mark();
     this.wish();
@@ -173,6 +174,7 @@ export class Live extends View {
     this.marks = head.marks;
     this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
     this.steps = head.steps;
+    this.forces = head.forces;
     this.dress(head);
     this.contour(head.contour);
     if (String(head.clip) !== String(this.clip)) this.cut(...(this.clip = head.clip));
@@ -274,6 +276,7 @@ export class Live extends View {
   // Keys that move the view; true if this was one.
   moveBy(key, { code, ctrlKey: control, altKey: alt, shiftKey: shift }) {
     const small = control ? 0.1 : 1, [shiftStep, turn, zoom] = this.steps, digit = /^Digit([1-6])$/.exec(code)?.[1];
+    if (/^f$/i.test(key) && !control) return this.send("forces"), true;
     if (key === "[" || key === "]") return this.seek({ time: this.now, step: key === "]" ? 1 : -1 }), true;
     if (digit && (control || alt)) return this.plane(digit, shift), true;
     const move = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
