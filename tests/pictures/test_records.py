@@ -10,8 +10,10 @@ from page_reader import Reader, settings, solving
 
 import dalembert as exu
 from dalembert import _core
-from dalembert._live.records import PARTS, Past, Record
+from dalembert._live.records import PARTS, Past, Plots, Record
 from dalembert._live.viewer import Viewer
+from dalembert._pictures.contour import Contour
+from dalembert._pictures.looks import Looks
 
 Shown = exu.ConfigurationType.Visualization
 
@@ -149,3 +151,76 @@ def test_readers_look_back_while_a_solver_pauses(swinging: Any, viewer: Viewer) 
     thread.join(10)
     reader.until(lambda: viewer.past.words()["last"] == pytest.approx(swinging.systemData.GetTime(), abs=1e-12))
     assert system.systemData.GetTime(Shown) == 0.0
+
+
+def test_an_output_is_plotted_over_all_recorded_states(swinging: Any) -> None:
+    """Also over states from before it was chosen; it goes on with new ones, and begins anew with another solution."""
+    shadow, past, plots = _core._Shadow(swinging), Past(), Plots()
+    shadow.follow()
+    past.begin([shadow])
+
+    def solve(end: float) -> float:
+        swinging.SolveDynamic(settings(20, end))
+        shadow.follow()
+        past.take([True])
+        return float(swinging.GetNodeOutput(0, exu.OutputVariableType.Position)[1])
+
+    heights = [0.0, *map(solve, (0.1, 0.2))]
+    plots.choose(0, "Node", 0, "Position")
+    plots.choose(0, "Node", 0, "Position")  # once
+    (plot,) = plots.renewed([shadow], past) or []
+    assert plot["title"] == "node 0 'brick': Position (m)" or plot["title"].endswith(": Position (m)")
+    assert [curve["name"] for curve in plot["curves"]] == ["X", "Y", "Z"]
+    assert plot["curves"][1]["x"] == pytest.approx([0, 0.1, 0.2], abs=1e-14)
+    assert plot["curves"][1]["y"] == heights
+    assert plots.renewed([shadow], past) is None
+    heights.append(solve(0.3))
+    past.seek(0.0)
+    (plot,) = plots.renewed([shadow], past) or []
+    assert plot["curves"][1]["y"] == heights and shadow.system.systemData.GetTime(Shown) == 0.0
+    lower = solve(0.05)
+    (plot,) = plots.renewed([shadow], past) or []
+    assert plot["curves"][1]["y"] == [lower]
+    plots.choose(0, "Object", 1, "KineticEnergy")
+    assert [p["title"] for p in plots.renewed([shadow], past) or []][1] == "object 1 'brick': KineticEnergy (J)"
+    plots.drop(0)
+    assert [p["curves"][0]["name"] for p in plots.renewed([shadow], past) or []] == [""]
+    plots.drop()
+    assert plots.renewed([shadow], past) == []
+
+
+def test_panels_have_units_and_plots(SC: Any, swinging: Any, viewer: Viewer) -> None:
+    sensor = swinging.AddSensor(exu.SensorBody(bodyNumber=1, outputVariableType=exu.OutputVariableType.Velocity))
+    swinging.Assemble()
+    reader = Reader(viewer)
+    head = reader.message("scene")[0]
+    while all(item[0] != "Sensor" for item in head["items"]):
+        head = reader.message("scene")[0]
+
+    def select(kind: str, number: int) -> Any:
+        names = [(item[0], item[1]) for item in head["items"]]
+        reader.send("select", item=names.index((kind, number)), scene=head["scene"], depth=1.0)
+        while (told := reader.message("details"))["title"] != f"{kind.lower()} {number}":
+            pass
+        return told
+
+    units = select("Object", 1)["units"]
+    assert (units["parameters"]["physicsMass"], units["outputs"]["Velocity"]) == ("kg", "m/s")
+    assert select("Object", 2)["units"]["outputs"]["WrenchOnMarker0"] == "N, Nm"
+    assert select("Sensor", int(sensor))["units"]["outputs"] == {"values": "m/s"}
+    reader.send("plot", name="values")
+    curves = reader.message("outputs")["curves"]
+    assert curves[0]["title"] == "sensor 0 'sensor0' (m/s)" and curves[0]["xLabel"] == "t (s)"
+    reader.send("plot", name="Mass")  # none of its outputs
+    later = Reader(viewer)  # another page
+    assert later.message("outputs")["curves"] == curves
+    select("Object", 1)
+    reader.send("plot", name="Nothing")
+    assert reader.message("notice")["text"] == "plot: 'Nothing'"
+    reader.send("plot", drop=None)
+    assert reader.message("outputs")["curves"] == []
+
+
+def test_the_bar_of_colors_has_a_unit(swinging: Any) -> None:
+    swinging.GetSystemContainer().visualizationSettings.contour.outputVariable = exu.OutputVariableType.Velocity
+    assert Contour(Looks(swinging.GetSystemContainer().visualizationSettings)).name == "Velocity, component 0 (m/s)"

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
+from dalembert._live import details
 from dalembert._live.histories import LONGEST, Track
 
 PARTS = (
@@ -29,6 +31,7 @@ class Record:
         self._track: Track | None = None
         self._sizes: list[int] = []
         self._next = 0.0
+        self.begun = 0  # number of solutions that have been recorded
 
     @property
     def times(self) -> FloatArray:
@@ -45,6 +48,7 @@ class Record:
         last = float(self.times[-1]) if self._track is not None else np.inf
         again = sizes != self._sizes or row[0] < last
         if again or self._track is None:
+            self.begun += 1
             self._sizes, self._track = sizes, Track(len(row), int(np.clip(ROOM // row.nbytes, 2, LONGEST)))
         self._track.add(row, replaces=not again and row[0] == last)
         self._next = now + row.nbytes / RATE
@@ -59,13 +63,13 @@ class Record:
         self._put(rows[number])
         return float(rows[number, 0])
 
-    def evaluated(self, function: Callable[[], Any]) -> list[tuple[float, Any]]:
-        """Return the times and the results of a function in all recorded states."""
-        if self._track is None:
+    def evaluated(self, function: Callable[[], Any], since: float = -np.inf) -> list[tuple[float, Any]]:
+        """Return the times and the results of a function in all recorded states after a time."""
+        if self._track is None or self.times[-1] <= since:
             return []
         present, results = self._row()[0], []
         try:
-            for row in self._track.rows():
+            for row in self._track.rows()[self.times > since]:
                 self._put(row)
                 results.append((float(row[0]), function()))
         finally:
@@ -170,3 +174,53 @@ class Past:
             if record is not longest:
                 record.show(self.time)
         self._sought = True
+
+
+@dataclass
+class Plot:
+    """An output over the times of the recorded states."""
+
+    system: int
+    kind: str
+    number: int
+    name: str
+    begun: int = -1  # the solution that the values are of
+    values: list[tuple[float, Any]] = field(default_factory=list)
+
+    def renew(self, mbs: Any, record: Record) -> bool:
+        """Add the values of the states that have been recorded meanwhile; return whether there are some."""
+        if record.begun != self.begun:
+            self.values, self.begun = [], record.begun
+        last = self.values[-1][0] if self.values else -np.inf
+        found = record.evaluated(lambda: details.output(mbs, self.kind, self.number, self.name), last)
+        self.values += [(time, value) for time, value in found if value is not None]
+        return bool(found)
+
+
+class Plots:
+    """The outputs that readers have chosen."""
+
+    def __init__(self) -> None:
+        self._plots: list[Plot] = []
+        self._changed = False
+
+    def choose(self, system: int, kind: str, number: int, name: str) -> None:
+        """Plot an output."""
+        if (system, kind, number, name) not in [(p.system, p.kind, p.number, p.name) for p in self._plots]:
+            self._plots.append(Plot(system, kind, number, name))
+            self._changed = True
+
+    def drop(self, order: int | None = None) -> None:
+        """Remove a plot, by its order, or all."""
+        self._plots = [] if order is None else self._plots[:order] + self._plots[order + 1 :]
+        self._changed = True
+
+    def renewed(self, shadows: list[Any], past: Past) -> list[dict[str, Any]] | None:
+        """Return all plots if they have changed."""
+        news = [p.renew(shadows[p.system].system, past.record_of(p.system)) for p in self._plots]
+        changed, self._changed = self._changed or any(news), False
+        return self.curves(shadows) if changed else None
+
+    def curves(self, shadows: list[Any]) -> list[dict[str, Any]]:
+        """Return all plots, as pages draw them."""
+        return [details.curves(shadows[p.system].system, p.kind, p.number, p.name, p.values) for p in self._plots]

@@ -21,7 +21,7 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
-from dalembert._live.records import Past
+from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw, forces
@@ -71,7 +71,7 @@ class Viewer:
         self.container, self.settings = container, container.visualizationSettings
         self.shadows: list[Any] = []
         self._histories: list[History] = []
-        self.past = Past()
+        self.past, self.plots = Past(), Plots()
         self.studio: Studio | None = None
         self.stage = Stage()
         self.selection: tuple[int, str, int, float] | None = None
@@ -314,6 +314,7 @@ class Viewer:
         moved, items, structure = [new[0] for new in news], any(new[1] for new in news), any(new[2] for new in news)
         if changed or structure:
             self.past.begin(self.shadows)
+            self.plots.drop()
         state = self.past.take(moved)
         for history in self._histories:
             history.rests = self.past.time is not None
@@ -343,6 +344,7 @@ class Viewer:
         if self._state() != self._told:
             self._tell_state()
         self._tell_times()
+        self._tell_plots()
 
     def _know_settings(self) -> None:
         if not self.settings._equals(self._known_settings):
@@ -364,6 +366,8 @@ class Viewer:
         self._views = True
         self._tell_state(page)
         self.server.tell(self.past.words(), page)
+        if curves := self.plots.curves(self.shadows):
+            self.server.tell({"kind": "outputs", "curves": curves}, page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
 
@@ -445,6 +449,17 @@ class Viewer:
                 raise ValueError("expected a number or a text")
             self.values[name] = value
 
+    def _on_plot(self, page: int, message: dict[str, Any]) -> None:
+        """Plot an output of the selected item, or no longer plot one."""
+        if "drop" in message:
+            self.plots.drop(message["drop"] if message["drop"] is None else int(message["drop"]))
+        elif self.selection is not None:
+            system, kind, number, _ = self.selection
+            name = str(message["name"])
+            if details.output(self.shadows[system].system, kind, number, name) is not None:
+                self.plots.choose(system, kind, number, name)
+        self._tell_plots()
+
     def _on_forces(self, page: int, message: dict[str, Any]) -> None:
         """Draw arrows of forces, or none."""
         self._forces = not self._forces
@@ -520,10 +535,14 @@ class Viewer:
             self._told_times = words
             self.server.tell(words)
 
+    def _tell_plots(self) -> None:
+        if (curves := self.plots.renewed(self.shadows, self.past)) is not None:
+            self.server.tell({"kind": "outputs", "curves": curves})
+
     def _tell_details(self, system: int, kind: str, number: int) -> None:
         mbs = self.shadows[system].system
         graphics = bool(self.settings.interactive.advanced.selectionRightMouseGraphicsData)
-        parameters = details.parameters(mbs, kind, number, graphics)
-        outputs = details.outputs(mbs, kind, number)
-        title = f"{kind.lower()} {number}"
-        self.server.tell({"kind": "details", "title": title, "parameters": parameters, "outputs": outputs})
+        words: dict[str, Any] = {"title": f"{kind.lower()} {number}", "units": details.units(mbs, kind, number)}
+        words |= {"parameters": details.parameters(mbs, kind, number, graphics)}
+        words |= {"outputs": details.outputs(mbs, kind, number), "time": mbs.systemData.GetTime(details.SHOWN)}
+        self.server.tell({"kind": "details", **words})

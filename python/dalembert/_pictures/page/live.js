@@ -28,8 +28,11 @@ export class Live extends View {
   constructor(place, link, { keys = window, first = () => {} } = {}) {
     super(place);
     Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15] });
-    this.panels = new Panels(place, (kind, words) => this.send(kind, words), (name) => name === "details" && this.pick(null));
-    this.tools();
+    this.panels = new Panels(place, (kind, words) => this.send(kind, words), (name) => {
+      if (name === "details") this.pick(null);
+      if (name === "outputs") this.send("plot", { drop: null });
+    });
+    this.equip();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
     for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event));
@@ -42,9 +45,9 @@ export class Live extends View {
     super.end();
   }
 
-  tools() {
-    const { bar } = this;
-    this.times = new Times(bar, {
+  equip() {
+    const { tools: bar } = this;
+    this.times = new Times(this.timeline, {
       seek: (time) => this.seek({ time, plays: false }),
       step: (step) => this.seek({ time: this.now, step, plays: false }),
       play: (plays) => this.seek({ time: this.back ? this.now : Number(this.times.slider.min), plays }),
@@ -108,7 +111,7 @@ export class Live extends View {
     const { head, arrays } = await read(data);
     const place = element(this.place, "div", { className: "page replay" });
     this.motion = new Motion(place, head, arrays);
-    element(this.motion.bar, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
+    element(this.motion.tools, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
   }
 
   close() {
@@ -148,6 +151,7 @@ export class Live extends View {
     this.range?.(...head.range);
     this.now = head.time;
     this.times.at(head.time);
+    this.panels.mark(head.time);
     this.words = [this.when(head.time), this.forces].filter(Boolean).join("\n");
     this.tell(this.distance);
     this.mark();
@@ -193,7 +197,8 @@ export class Live extends View {
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
-      details: () => this.panels.details(words),
+      details: () => this.picked != null && this.panels.details(words),
+      outputs: () => this.panels.outputs(words.curves),
       settings: () => this.panels.settings(words.rows),
       controls: () => this.panels.controls(words),
       plots: () => this.panels.plot(words.curves),

@@ -60,7 +60,7 @@ export class Motion extends View {
     this.dress(head);
     this.cut(...head.clip);
     this.contour(head.contour, head.contour?.range);
-    this.tools();
+    this.equip();
     this.look(head.camera);
     this.show(0);
     this.pressed = (event) => this.key(event);
@@ -78,10 +78,10 @@ export class Motion extends View {
     return (number) => this.write(texts, frame(arrays[frames], places.length, number, places));
   }
 
-  tools() {
-    const { head, bar } = this, count = head.times.length;
+  equip() {
+    const { head, tools: bar } = this, count = head.times.length;
     const seek = (number) => (this.play(false), this.show(number)), play = (flag) => this.play(flag);
-    this.times = new Times(bar, { seek, step: (step) => this.go(step), play, pace: () => (this.since = 0) });
+    this.times = new Times(this.timeline, { seek, step: (step) => this.go(step), play, pace: () => (this.since = 0) });
     this.times.range(0, count - 1, 1, count);
     element(bar, "button", { textContent: "view", title: "back to the first view (a)", onclick: () => this.look(head.camera) });
     element(bar, "button", { textContent: "items", title: "list of items: search, hide, isolate", onclick: () => this.panels.items(this) });

@@ -5,6 +5,7 @@ import { element } from "./view.js";
 const PLOT = [320, 190]; // pixels
 const LISTED = 200; // items of a kind that are listed; others are found by their names
 const VEILED = 0.3; // opacity
+const NARROW = 640; // pixels of a page, as in style.css
 
 export class Panels {
   // `left` is called with the name of a panel that the reader has closed.
@@ -19,26 +20,52 @@ export class Panels {
 
   panel(name, title, right = false) {
     this.close(name);
-    const panel = (this.open[name] = element(right ? this.place : this.column, "div", { className: right ? "panel right" : "panel" }));
+    const beside = right && this.place.clientWidth > NARROW; // otherwise, all are in one column
+    const panel = (this.open[name] = element(beside ? this.place : this.column, "div", { className: beside ? "panel right" : "panel" }));
     panel.dataset.name = name;
     element(panel, "h2", { textContent: title });
     element(panel, "button", { className: "close", textContent: "×", title: "close", onclick: () => (this.close(name), this.left(name)) });
     return panel;
   }
 
-  details({ title, parameters, outputs }) {
+  // Parameters and outputs of an item, with their units; a click on an output plots it.
+  details({ title, parameters, outputs, units, time }) {
     const old = this.open.details, top = old?.dataset.title === title ? old.scrollTop : 0;
     const panel = this.panel("details", title, true);
     panel.dataset.title = title;
-    for (const [name, rows] of [["", parameters], ["outputs", outputs]]) {
-      if (name && rows.length) element(panel, "h2", { textContent: name });
+    for (const [name, rows] of [["parameters", parameters], ["outputs", outputs]]) {
+      if (name === "outputs" && rows.length) element(panel, "h2", { textContent: `outputs, t = ${time.toPrecision(4)} s` });
       const table = element(panel, "table");
-      for (const row of rows) {
-        const line = element(table, "tr");
-        for (const text of row) element(line, "td", { textContent: text });
+      for (const [key, value] of rows) {
+        const line = element(table, "tr"), cell = element(line, "td");
+        if (name === "outputs") element(cell, "a", { textContent: key, title: "plot it", onclick: () => this.send("plot", { name: key }) });
+        else cell.textContent = key;
+        for (const text of [value, units[name][key] ?? ""]) element(line, "td", { textContent: text });
       }
     }
     panel.scrollTop = top;
+  }
+
+  // Plots of outputs beside the view; each has a button that removes it.
+  outputs(curves) {
+    if (!curves.length) return this.close("outputs");
+    const titles = JSON.stringify(curves.map(({ title }) => title));
+    if (this.open.outputs?.dataset.titles !== titles) {
+      const panel = this.panel("outputs", "plots");
+      panel.dataset.titles = titles;
+      this.chosen = curves.map((_, drop) => {
+        const row = element(panel, "div", { className: "plotted" });
+        element(row, "button", { className: "close", textContent: "×", title: "remove this plot", onclick: () => this.send("plot", { drop }) });
+        return new Plot(row, ...PLOT);
+      });
+    }
+    curves.forEach((data, i) => this.chosen[i].set({ ...data, now: this.chosen[i].data?.now }));
+  }
+
+  // Mark a time in plots of outputs.
+  mark(now) {
+    if (!this.open.outputs) return;
+    for (const plot of this.chosen) plot.set({ ...plot.data, now });
   }
 
   settings(rows) {

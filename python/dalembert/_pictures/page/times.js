@@ -5,8 +5,8 @@ const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 10]; // simulated time per time
 
 export class Times {
   // Called with what readers want: `seek` with the number of the slider, `step` with -1 or 1, `play` with true or false, `pace` with a speed.
-  constructor(parent, { seek, step, play, pace }) {
-    this.bar = element(parent, "div", { className: "times" });
+  constructor(bar, { seek, step, play, pace }) {
+    this.bar = bar;
     const button = (textContent, title, onclick) => element(this.bar, "button", { textContent, title, onclick });
     this.button = button("▶", "play or pause the recorded motion", () => play(!this.playing));
     button("◂", "one recorded state back ([)", () => step(-1));

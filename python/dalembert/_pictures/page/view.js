@@ -72,9 +72,11 @@ export class View {
     this.hint = element(place, "div", { className: "hint" });
     this.time = element(place, "div", { className: "time" });
     this.bar = element(place, "div", { className: "bar" });
+    this.timeline = element(this.bar, "div", { className: "times", hidden: true });
+    this.tools = element(this.bar, "div", { className: "tools" });
     this.scale = element(place, "div", { className: "contour" });
     this.watcher = new ResizeObserver(() => this.resize());
-    this.watcher.observe(place);
+    for (const watched of [place, this.bar]) this.watcher.observe(watched);
     this.paint();
     this.resize();
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
@@ -354,6 +356,7 @@ export class View {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (!width || !height) return;
+    this.place.style.setProperty("--bar", `${this.bar.offsetHeight}px`);
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
