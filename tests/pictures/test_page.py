@@ -422,3 +422,68 @@ def test_items_are_searched_hidden_veiled_and_isolated(mbs: Any) -> None:
         tab.value("[...document.querySelectorAll('.panel button')].find((b) => b.textContent === 'show all').click()")
         assert tab.value("page.items.every((_, i) => page.opacity(i) === 1)")
         assert not tab.errors
+
+
+def test_the_first_view_fits_windows_of_any_shape(falling: Any) -> None:
+    """All corners of the scene are in the window, also of a telephone, with the perspective of pages."""
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    corners = """page.objects.filter((o) => o.isMesh).flatMap((o) => {
+      o.geometry.computeBoundingBox();
+      const { min, max } = o.geometry.boundingBox, points = [];
+      for (let i = 0; i < 8; ++i) points.push(min.clone().set(i & 1 ? min.x : max.x, i & 2 ? min.y : max.y, i & 4 ? min.z : max.z));
+      const at = (k) => { const m = o.matrixWorld.clone(); if (o.isInstancedMesh) o.getMatrixAt(k, m); return m; };
+      return o.userData.items.flatMap((_, k) => points.map((p) => page.projected(p.clone().applyMatrix4(at(k)))));
+    })"""
+    with browser.running() as program:
+        tab = program.tab()
+        for width, height in ((1300, 600), (390, 800)):
+            tab.call(
+                "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False
+            )
+            tab.go(Path("falling.html").resolve().as_uri() + f"?{width}")
+            tab.wait("page.drawn > 0")
+            for number in (0, 10):
+                tab.value(f"page.play(false), page.show({number})")
+                pixels = np.array(tab.value(corners))
+                assert (pixels >= 0).all() and (pixels <= [width, height]).all(), (width, number)
+            assert tab.value("document.documentElement.scrollWidth") <= width
+
+
+def test_pages_have_help_coordinates_parallel_lines_and_films(falling: Any) -> None:
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    with browser.running() as program:
+        tab = program.tab(Path("falling.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        tab.press("?")
+        assert "play or pause" in tab.value("document.querySelector('[data-name=help]').textContent")
+        tab.press("?")
+        assert tab.value("document.querySelector('[data-name=help]') === null")
+        tab.value("page.play(false), page.show(0), page.render()")
+        x, y = tab.value("page.projected([1, 0, 0.05])")
+        tab.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+        words = tab.value("page.hint.textContent").split("\n")
+        point = [float(part) for part in words[1].removesuffix(" m").strip("()").split(",")]
+        hit = tab.value(f"[...page.hit({x}, {y}).point]")
+        pixel = tab.value("2 * page.looking().zoom / page.canvas.clientHeight")
+        assert words[0].startswith("object 0: ") and point == pytest.approx(hit, abs=pixel)
+        before = tab.value("page.looking()")
+
+        def width(depth: float) -> float:
+            """Pixels between two points 0.1 m from each other, so far behind the middle of the view."""
+            right, towards = before["rotation"][:3], before["rotation"][6:]
+            middle = np.array(before["center"]) - depth * np.array(towards)
+            ends = [tab.value(f"page.projected({(middle + s * np.array(right)).tolist()})") for s in (0, 0.1)]
+            return float(ends[1][0] - ends[0][0])
+
+        assert width(1.0) < 0.95 * width(0.0)
+        tab.press("o")
+        assert tab.value("page.looking().zoom") == pytest.approx(before["zoom"])
+        assert width(1.0) == pytest.approx(width(0.0), rel=0.02)
+        tab.value("""(() => {
+          URL.createObjectURL = (blob) => ((window.saved = blob), "blob:");
+          HTMLAnchorElement.prototype.click = function () { window.name_ = this.download; };
+          page.shoot();
+        })()""")
+        kind, size, name = tab.wait("window.saved && [window.saved.type, window.saved.size, window.name_]")
+        assert kind.startswith("video/") and size > 1000 and name == f"film.{kind[6:]}"
+        assert not tab.value("page.playing") and not tab.errors

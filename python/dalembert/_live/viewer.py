@@ -25,7 +25,7 @@ from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
 from dalembert._pictures import draw, forces
-from dalembert._pictures.camera import Camera
+from dalembert._pictures.camera import PERSPECTIVE_OF_PAGES, Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.notices import tell_settings_of_pictures
@@ -147,7 +147,7 @@ class Viewer:
         if {"zoom", "modelRotation", "centerPoint"} <= state.keys() and float(state["zoom"]) > 0:
             rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
             seen = Camera(rotation, np.asarray(state["centerPoint"], float), float(state["zoom"]))
-            self.server.tell({"kind": "camera", "camera": views.seen_from(seen)})
+            self.server.tell({"kind": "camera", "camera": seen.words()})
         else:
             self.redraw(home=True)
 
@@ -284,7 +284,7 @@ class Viewer:
         self.pictures += 1
         if self._home:
             self._home = False
-            self.server.tell({"kind": "camera", "camera": views.seen_from(camera())})
+            self.server.tell({"kind": "camera", "camera": camera().words()})
         if self._views:
             self._views = False
             self.server.tell({"kind": "views", "views": views.beside(self.container, self.studio, scene)})
@@ -324,6 +324,7 @@ class Viewer:
         if again:
             self._made, self._stale = now, False
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
+            self.studio.perspective = PERSPECTIVE_OF_PAGES
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
                 maker.show_forces(self._forces)

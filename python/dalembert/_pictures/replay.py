@@ -124,11 +124,7 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
         "rate": motion.rate,
         "times": [scene.time for scene in scenes],
         "items": names,
-        "camera": {
-            "rotation": camera.rotation.ravel().tolist(),
-            "center": camera.center.tolist(),
-            "zoom": camera.zoom,
-        },
+        "camera": camera.words(),
         **looks.of_pages(),
         "labels": _labels(packer, scenes),
         "meshes": _meshes(packer, carriers, scenes, numbered, looks, limits),

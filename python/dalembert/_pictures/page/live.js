@@ -5,7 +5,7 @@ import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
 import { Times } from "./times.js";
-import { View, element } from "./view.js";
+import { MOUSE, View, element } from "./view.js";
 
 const GROUPS = [["n", "nodes"], ["b", "bodies"], ["c", "connectors"], ["m", "markers"], ["l", "loads"], ["s", "sensors"]];
 // Rows are right, up and towards the viewer; the second of each pair is seen from behind.
@@ -14,6 +14,12 @@ const PLANES = {
   4: [[0, 1, 0], [1, 0, 0]], 5: [[0, 0, 1], [1, 0, 0]], 6: [[0, 0, 1], [0, 1, 0]],
 };
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
+const KEYS = [
+  ...MOUSE, ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
+  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F", "forces"], ["O", "perspective or parallel"],
+  ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
+  [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
+];
 const SENT = 100; // ms between what is told of mouse and view
 
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
@@ -74,8 +80,11 @@ export class Live extends View {
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
     button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
     button("dark", "dark or light", () => this.dark());
+    button("parallel", "perspective or parallel lines (O)", () => this.parallel());
     button("picture", "save a picture", () => this.save());
+    this.filmed = button("film", "begin or end a film", () => this.shoot());
     button("settings", "visualization settings (V)", () => this.send("settings"));
+    button("?", "mouse and keys (?)", () => this.panels.help(KEYS));
     this.canvas.tabIndex = 0;
     this.notice = element(this.place, "div", { className: "notice", onclick: () => (this.notice.textContent = "") });
   }
@@ -281,6 +290,8 @@ export class Live extends View {
   // Keys that move the view; true if this was one.
   moveBy(key, { code, ctrlKey: control, altKey: alt, shiftKey: shift }) {
     const small = control ? 0.1 : 1, [shiftStep, turn, zoom] = this.steps, digit = /^Digit([1-6])$/.exec(code)?.[1];
+    if (key === "?") return this.panels.help(KEYS), true;
+    if (/^o$/i.test(key) && !control) return this.parallel(), true;
     if (/^f$/i.test(key) && !control) return this.send("forces"), true;
     if (key === "[" || key === "]") return this.seek({ time: this.now, step: key === "]" ? 1 : -1 }), true;
     if (digit && (control || alt)) return this.plane(digit, shift), true;

@@ -3,7 +3,7 @@ import { frame } from "./data.js";
 import { lines, mesh, spheres } from "./shapes.js";
 import { Panels } from "./panels.js";
 import { Times } from "./times.js";
-import { View, element } from "./view.js";
+import { MOUSE, View, element } from "./view.js";
 
 // The numbers of all places in one frame, out of arrays that have all frames of one place each.
 function gathered(places, size, arrays, target) {
@@ -49,6 +49,11 @@ function curves(entries, arrays) {
   }];
 }
 
+const KEYS = [
+  ...MOUSE, ["space", "play or pause"], ["← →, [ ]", "a frame back or forward; with shift ten"], ["home, end", "first and last frame"],
+  ["a", "first view"], ["o", "perspective or parallel"], ["e", "edges"], ["d", "dark or light"], ["?", "this help"],
+];
+
 export class Motion extends View {
   constructor(place, head, arrays) {
     super(place);
@@ -87,8 +92,18 @@ export class Motion extends View {
     element(bar, "button", { textContent: "items", title: "list of items: search, hide, isolate", onclick: () => this.panels.items(this) });
     element(bar, "button", { textContent: "edges", title: "show edges (e)", onclick: () => this.edges() });
     element(bar, "button", { textContent: "dark", title: "dark or light (d)", onclick: () => this.dark() });
+    element(bar, "button", { textContent: "parallel", title: "perspective or parallel lines (o)", onclick: () => this.parallel() });
     element(bar, "button", { textContent: "picture", title: "save a picture", onclick: () => this.save() });
+    this.filmed = element(bar, "button", { textContent: "film", title: "save a film of the motion", onclick: () => this.shoot(), hidden: count < 2 });
+    element(bar, "button", { textContent: "?", title: "mouse and keys (?)", onclick: () => this.panels.help(KEYS) });
     this.play(this.playing);
+  }
+
+  // The film is of the motion from the beginning to the end.
+  shoot() {
+    super.shoot();
+    this.show(0);
+    this.play(!!this.film);
   }
 
   play(flag) {
@@ -130,6 +145,8 @@ export class Motion extends View {
       Home: () => this.show(0),
       End: () => this.show(last),
       a: () => this.look(this.head.camera),
+      o: () => this.parallel(),
+      "?": () => this.panels.help(KEYS),
       e: () => this.edges(),
       d: () => this.dark(),
     };
@@ -142,7 +159,8 @@ export class Motion extends View {
     if (!this.playing) return;
     if (!this.since) this.since = now - (this.frame / this.head.rate / this.times.speed) * 1000;
     const number = Math.floor(((now - this.since) / 1000) * this.head.rate * this.times.speed);
-    if (number >= this.head.times.length) this.head.again ? ((this.since = now), this.show(0)) : this.play(false);
+    if (number >= this.head.times.length && this.film) this.shoot();
+    else if (number >= this.head.times.length) this.head.again ? ((this.since = now), this.show(0)) : this.play(false);
     else if (number !== this.frame) this.show(Math.max(number, 0));
   }
 }

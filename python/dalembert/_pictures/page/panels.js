@@ -129,6 +129,16 @@ export class Panels {
     element(label, "span", { textContent: text });
   }
 
+  // Keys and what the mouse does: [key, action].
+  help(rows) {
+    if (this.open.help) return this.close("help");
+    const table = element(this.panel("help", "mouse and keys"), "table");
+    for (const row of rows) {
+      const line = element(table, "tr");
+      for (const textContent of row) element(line, "td", { textContent });
+    }
+  }
+
   // A plane across one axis; what is beyond it is left out.
   cut(apply, { center, size }) {
     const panel = this.panel("cut", "cut");

@@ -6,29 +6,42 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
-import { flat } from "./picture.js";
+import { Film, download, flat } from "./picture.js";
 
 export const FIELD = 30; // degrees, of the camera
-const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
+const PARALLEL = 1; // degrees, of one that is so far away that lines look parallel
+const DEPTH = 180; // heights that are seen before and behind the middle
 const ROUND_OFF = 1e-6; // of a distance, in its components
 const CLICK = 4; // pixels that the mouse may move in a click
+
+export const MOUSE = [
+  ["left, right button", "rotate, move"], ["wheel", "zoom"], ["click", "select an item"], ["shift and two clicks", "measure a distance"],
+];
 
 export function element(parent, tag, properties = {}) {
   return parent.appendChild(Object.assign(document.createElement(tag), properties));
 }
 
+const half = ({ fov }) => Math.tan((fov / 2) * (Math.PI / 180));
+
+// What is drawn lies between two distances from the camera.
+export function reach(camera, controls) {
+  const distance = camera.position.distanceTo(controls.target), zoom = distance * half(camera);
+  Object.assign(camera, { near: Math.max(distance / 200, distance - DEPTH * zoom), far: distance + DEPTH * zoom });
+  camera.updateProjectionMatrix();
+}
+
 // The rows of the rotation are right, up and towards the viewer; zoom is half the height that is seen.
 export function look(camera, controls, { rotation, center, zoom }) {
-  const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
+  const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / half(camera);
   const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
   const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
   camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
   controls._quat?.setFromUnitVectors(camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
   controls._quatInverse?.copy(controls._quat).invert();
   camera.position.copy(middle).addScaledVector(towards, distance);
-  Object.assign(camera, { near: distance / 200, far: distance * 50 });
-  camera.updateProjectionMatrix();
   controls.target.copy(middle);
+  reach(camera, controls);
   controls.update();
 }
 
@@ -37,7 +50,7 @@ export function looking(camera, controls) {
   camera.updateMatrixWorld();
   const right = new Vector3(), up = new Vector3(), towards = new Vector3();
   camera.matrixWorld.extractBasis(right, up, towards);
-  const zoom = camera.position.distanceTo(controls.target) * HALF;
+  const zoom = camera.position.distanceTo(controls.target) * half(camera);
   return { rotation: [...right, ...up, ...towards], center: [...controls.target], zoom };
 }
 
@@ -65,7 +78,7 @@ export class View {
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener("change", () => this.wish());
+    this.controls.addEventListener("change", () => (reach(this.camera, this.controls), this.wish()));
     this.light();
     this.axes = axes(place);
     this.labels = element(place, "div", { className: "labels" });
@@ -153,8 +166,20 @@ export class View {
     this.fade(faces ? transparent : 0);
   }
 
-  look(seen) {
-    look(this.camera, this.controls, seen);
+  // A camera that was fitted to a wider window looks from farther away.
+  look({ aspect = 0, ...seen }) {
+    look(this.camera, this.controls, { ...seen, zoom: seen.zoom * Math.max(aspect / this.camera.aspect, 1) });
+    this.wish();
+  }
+
+  // Perspective, or lines that stay parallel.
+  parallel() {
+    const field = this.camera.fov === FIELD ? PARALLEL : FIELD;
+    for (const { camera, controls } of [this, ...this.panes]) {
+      const seen = looking(camera, controls);
+      camera.fov = field;
+      look(camera, controls, seen);
+    }
     this.wish();
   }
 
@@ -220,8 +245,15 @@ export class View {
 
   save() {
     this.render();
-    const href = flat(this.place, this.canvas).toDataURL();
-    Object.assign(document.createElement("a"), { href, download: "picture.png" }).click();
+    download(flat(this.place, this.canvas).toDataURL(), "picture.png");
+  }
+
+  // Begin a film of what is drawn, or end it and save it.
+  shoot() {
+    if (this.film) this.film = this.film.end();
+    else this.film = new Film(this.place, this.canvas);
+    this.filmed?.classList.toggle("on", !!this.film);
+    this.wish();
   }
 
   // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
@@ -248,11 +280,20 @@ export class View {
     return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
   }
 
+  // What is below the mouse, and where that point is.
   point(event, pane) {
     if (event.buttons) return;
-    const item = this.itemAt(event.clientX, event.clientY, pane), box = this.place.getBoundingClientRect();
-    this.hint.textContent = item ? `${item[0].toLowerCase()} ${item[1]}: ${item[3]} (${item[0]}${item[2]})` : "";
-    this.hint.style.transform = `translate(${event.clientX - box.left + 14}px, ${event.clientY - box.top + 10}px)`;
+    const hit = this.hit(event.clientX, event.clientY, pane), box = this.place.getBoundingClientRect();
+    const [kind, number, type, name] = hit ? this.items[hit.number] : [];
+    this.hint.textContent = hit ? `${kind.toLowerCase()} ${number}: ${name} (${kind}${type})\n${this.coordinates(hit.point)}` : "";
+    const x = Math.min(event.clientX - box.left + 14, box.width - this.hint.offsetWidth - 2);
+    this.hint.style.transform = `translate(${x}px, ${event.clientY - box.top + 10}px)`;
+  }
+
+  // As many digits as a pixel is worth.
+  coordinates(point) {
+    const pixel = (2 * this.looking().zoom) / this.canvas.clientHeight, digits = Math.min(Math.max(Math.ceil(-Math.log10(pixel)), 0), 12);
+    return `(${[...point].map((part) => part.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")).join(", ")}) m`;
   }
 
   isClick(event) {
@@ -395,5 +436,6 @@ export class View {
     for (const pane of this.panes) pane.render();
     this.axes(this.camera);
     this.placeLabels();
+    this.film?.add();
   }
 }
