@@ -487,3 +487,23 @@ def test_pages_have_help_coordinates_parallel_lines_and_films(falling: Any) -> N
         kind, size, name = tab.wait("window.saved && [window.saved.type, window.saved.size, window.name_]")
         assert kind.startswith("video/") and size > 1000 and name == f"film.{kind[6:]}"
         assert not tab.value("page.playing") and not tab.errors
+
+
+def test_a_floor_is_below_all_of_the_motion(falling: Any) -> None:
+    """The grid is less than a cell below the lowest point, on the axis along which weight acts; it is not picked."""
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    with browser.running() as program:
+        tab = program.tab(Path("falling.html").resolve().as_uri())
+        tab.wait("page.drawn > 0 && !!page.floor")
+        floor = tab.value("[page.floor.up, page.floor.level, page.floor.cell, page.floor.object.children.length]")
+        lowest = tab.value("page.floor.box.min.getComponent(page.floor.up)")
+        assert (
+            floor[0] == unpacked(data_of(Path("falling.html").read_text("utf-8")))[0]["upwards"]
+            and lowest - floor[2] <= floor[1] <= lowest
+        )
+        tab.value("page.play(false), page.look({ ...page.looking(), zoom: 100 })")
+        tab.value("page.ground()")
+        assert tab.value("page.floor === null")
+        tab.value("page.renderer.shadowMap.enabled = true, page.ground(), page.reveal(), page.render()")
+        assert tab.value("page.floor.object.children.length") == 4  # grid, lamp, its target, and what is shaded
+        assert tab.value("page.objects.includes(page.floor.object)") is False and not tab.errors

@@ -278,7 +278,8 @@ class Viewer:
             tell_settings_of_pictures(self.settings)
         scales = [maker.forces.words(maker.looks.size) for maker in self.studio.makers if maker.forces is not None]
         known = scene.value_name, *scales
-        words = self._words.get(known) or views.words(self.settings, scene, looks) | {"forces": "\n".join(scales)}
+        others = {"forces": "\n".join(scales), "upwards": self.studio.upwards()}
+        words = self._words.get(known) or views.words(self.settings, scene, looks) | others
         self._words = {known: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1

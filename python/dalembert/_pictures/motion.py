@@ -108,7 +108,7 @@ class Still:
     """The visualization state of all systems of a container, as the only scene of a motion."""
 
     def __init__(self, container: Any, size: tuple[int, int] = (1024, 768)) -> None:
-        studio = Studio(container)
+        studio = self.studio = Studio(container)
         studio.perspective = PERSPECTIVE_OF_PAGES
         scene = studio.scene()
         self.rate, self.scenes = 1.0, [scene]

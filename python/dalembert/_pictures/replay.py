@@ -126,6 +126,7 @@ def pack(motion: Motion | Still, words: dict[str, Any]) -> bytes:
         "items": names,
         "camera": camera.words(),
         **looks.of_pages(),
+        "upwards": motion.studio.upwards(),
         "labels": _labels(packer, scenes),
         "meshes": _meshes(packer, carriers, scenes, numbered, looks, limits),
         "spheres": _spheres(packer, carriers, scenes, numbered),

@@ -80,6 +80,7 @@ export class Live extends View {
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
     button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
     button("dark", "dark or light", () => this.dark());
+    button("floor", "floor or none", () => this.ground());
     button("parallel", "perspective or parallel lines (O)", () => this.parallel());
     button("picture", "save a picture", () => this.save());
     this.filmed = button("film", "begin or end a film", () => this.shoot());

@@ -54,6 +54,8 @@ const KEYS = [
   ["a", "first view"], ["o", "perspective or parallel"], ["e", "edges"], ["d", "dark or light"], ["?", "this help"],
 ];
 
+const SAMPLES = 8; // of a motion, for its floor
+
 export class Motion extends View {
   constructor(place, head, arrays) {
     super(place);
@@ -67,7 +69,7 @@ export class Motion extends View {
     this.contour(head.contour, head.contour?.range);
     this.equip();
     this.look(head.camera);
-    this.show(0);
+    for (let k = SAMPLES; k >= 0; --k) this.show(Math.floor((k / SAMPLES) * (head.times.length - 1))), this.lay(); // the floor is below all of the motion
     this.pressed = (event) => this.key(event);
     window.addEventListener("keydown", this.pressed);
   }
@@ -92,6 +94,7 @@ export class Motion extends View {
     element(bar, "button", { textContent: "items", title: "list of items: search, hide, isolate", onclick: () => this.panels.items(this) });
     element(bar, "button", { textContent: "edges", title: "show edges (e)", onclick: () => this.edges() });
     element(bar, "button", { textContent: "dark", title: "dark or light (d)", onclick: () => this.dark() });
+    element(bar, "button", { textContent: "floor", title: "floor or none", onclick: () => this.ground() });
     element(bar, "button", { textContent: "parallel", title: "perspective or parallel lines (o)", onclick: () => this.parallel() });
     element(bar, "button", { textContent: "picture", title: "save a picture", onclick: () => this.save() });
     this.filmed = element(bar, "button", { textContent: "film", title: "save a film of the motion", onclick: () => this.shoot(), hidden: count < 2 });

@@ -1,7 +1,7 @@
 // What is drawn, as objects of three.js; object.userData.put(numbers) brings them to where they are now.
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial,
-  LineSegments, Matrix4, Mesh, MeshStandardMaterial, SphereGeometry,
+  LineSegments, Matrix4, Mesh, MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, SphereGeometry,
 } from "three";
 
 const SPOTS = new Color();
@@ -23,14 +23,19 @@ function veiled(shader) {
     .replace(...after("begin_vertex", "seen = veil;"));
   shader.fragmentShader = shader.fragmentShader
     .replace(...after("common", "varying float seen;"))
-    .replace(...after("color_fragment", "if (seen < 0.004) discard; diffuseColor.a *= seen;"));
+    .replace(...after("clipping_planes_fragment", "if (seen < 0.004) discard;"))
+    .replace(...after("color_fragment", "diffuseColor.a *= seen;"));
 }
+
+const SHADE = new MeshDepthMaterial({ depthPacking: RGBADepthPacking }); // of what casts a shadow
+SHADE.onBeforeCompile = veiled;
 
 // Give a mesh userData.reveal(opacity of the item with a number), for all its instances, or for the points of its only item.
 function veil(made, items, rims = []) {
   const single = !made.isInstancedMesh, count = single ? made.geometry.getAttribute("position").count : items.length;
   const Attribute = single ? BufferAttribute : InstancedBufferAttribute, seen = new Attribute(new Float32Array(count).fill(1), 1);
   made.geometry.setAttribute("veil", seen);
+  Object.assign(made, { castShadow: true, customDepthMaterial: SHADE });
   made.userData.reveal = (opacity) => {
     const parts = items.map(opacity);
     single ? seen.array.fill(parts[0]) : seen.array.set(parts);
@@ -138,7 +143,7 @@ function deformed(entry, arrays) {
 const TRIANGLES = { graphics: 6e6, processor: 3e5 };
 
 export function parts(count, drawnBy) {
-  return Math.min(Math.max(Math.round(Math.sqrt(TRIANGLES[drawnBy] / 2 / count)), 4), 24);
+  return Math.min(Math.max(Math.round(Math.sqrt(TRIANGLES[drawnBy] / 2 / count)), 4), 48);
 }
 
 // Each is four numbers: center and radius.

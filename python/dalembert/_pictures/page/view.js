@@ -6,12 +6,14 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
+import { Floor, around } from "./floor.js";
 import { Film, download, flat } from "./picture.js";
 
 export const FIELD = 30; // degrees, of the camera
 const PARALLEL = 1; // degrees, of one that is so far away that lines look parallel
 const DEPTH = 180; // heights that are seen before and behind the middle
 const ROUND_OFF = 1e-6; // of a distance, in its components
+const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
 
 export const MOUSE = [
@@ -79,6 +81,7 @@ export class View {
     this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => (reach(this.camera, this.controls), this.wish()));
+    this.renderer.shadowMap.enabled = this.drawnBy === "graphics"; // a processor would take too long
     this.light();
     this.axes = axes(place);
     this.labels = element(place, "div", { className: "labels" });
@@ -124,6 +127,18 @@ export class View {
     for (const object of objects) if (object.isMesh) object.userData.own = { opacity: object.material.opacity, clear: object.material.transparent };
     this.reveal();
     this.list();
+    this.lay();
+  }
+
+  // Put a floor below everything, if readers want one; it is put lower where something falls below it.
+  lay() {
+    const box = around(this.objects);
+    if (this.floor && this.upwards === this.floor.up && !this.floor.pierced(box) && !this.bare) return;
+    if (this.floor) this.scene.remove(this.floor.object), this.floor.end();
+    const far = this.floor && this.upwards === this.floor.up ? this.floor.box : box;
+    this.floor = this.bare || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
+    if (this.floor) this.scene.add(Object.assign(this.floor, { box: far }).object);
+    this.wish();
   }
 
   // Opacity of the item with a number, 0 if it is hidden; weight is, until readers show it.
@@ -159,7 +174,9 @@ export class View {
   }
 
   // As settings say.
-  dress({ background, edges, faces, transparent }) {
+  dress({ background, edges, faces, transparent, upwards }) {
+    this.upwards = upwards;
+    this.lay();
     this.paint(background);
     this.allEdges = edges;
     this.showEdges();
@@ -278,6 +295,12 @@ export class View {
     this.camera.updateMatrixWorld();
     const { x, y } = new Vector3(...point).project(this.camera), box = this.canvas.getBoundingClientRect();
     return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
+  }
+
+  // With a floor, or without.
+  ground() {
+    this.bare = !this.bare;
+    this.lay();
   }
 
   // What is below the mouse, and where that point is.
@@ -416,6 +439,8 @@ export class View {
     this.watcher.disconnect();
     this.controls.dispose();
     for (const pane of this.panes) pane.end();
+    this.floor?.end();
+    this.bare = true;
     this.replace([], []);
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -429,6 +454,7 @@ export class View {
     this.wanted = false;
     this.render();
     this.drawn += 1;
+    if (this.drawn % AGAIN === 0) this.lay();
   }
 
   render() {
