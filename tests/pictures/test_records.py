@@ -14,6 +14,7 @@ from dalembert._live.records import PARTS, Past, Plots, Record
 from dalembert._live.viewer import Viewer
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.looks import Looks
+from dalembert.laws import connector
 
 Shown = exu.ConfigurationType.Visualization
 
@@ -224,3 +225,47 @@ def test_panels_have_units_and_plots(SC: Any, swinging: Any, viewer: Viewer) -> 
 def test_the_bar_of_colors_has_a_unit(swinging: Any) -> None:
     swinging.GetSystemContainer().visualizationSettings.contour.outputVariable = exu.OutputVariableType.Velocity
     assert Contour(Looks(swinging.GetSystemContainer().visualizationSettings)).name == "Velocity, component 0 (m/s)"
+
+
+def test_pages_change_numbers_of_items_between_two_steps(swinging: Any, viewer: Viewer) -> None:
+    @connector("line")
+    def law(L: Any, L_t: Any, t: Any, k: float = 3.0) -> Any:
+        return k * L
+
+    sprung = law(swinging.GetObject(2)["markerNumbers"])
+    number = int(swinging.AddObject(sprung))
+    swinging.Assemble()
+    reader = Reader(viewer)
+    head = reader.message("scene")[0]
+    while ("Object", number) not in [(item[0], item[1]) for item in head["items"]]:
+        head = reader.message("scene")[0]
+    picked = [(item[0], item[1]) for item in head["items"]].index(("Object", number))
+    reader.send("select", item=picked, scene=head["scene"], depth=1.0)
+    told = reader.message("details")
+    assert told["item"] == [0, "Object", number] and told["numbers"]["springForceUserFunction.k"] == 3.0
+    assert "markerNumbers" not in told["numbers"] and "name" not in told["numbers"]
+    thread = solving(swinging)
+    reader.message("frame")
+
+    def change(item: str, number: int, name: str, value: Any) -> None:
+        reader.send("parameter", system=0, item=item, number=number, name=name, value=value)
+
+    change("Object", 2, "stiffness", 500.0)
+    change("Object", number, "springForceUserFunction.k", 4.0)
+    reader.until(lambda: not viewer._changes)
+    reader.until(lambda: swinging.GetObjectParameter(2, "stiffness") == 500.0)
+    reader.until(lambda: swinging.GetObjectParameter(number, "springForceUserFunction.k") == 4.0)
+    for item, name, value in (
+        ("Object", "markerNumbers", 1.0),
+        ("Item", "stiffness", 1.0),
+        ("Object", "stiffness", "inf"),
+    ):
+        change(item, 2, name, value)
+        text = f"parameter: {item} 2 has no number '{name}' that pages can change to {float(value)}"
+        assert reader.message("notice")["text"] == text
+    swinging.SetRenderEngineStopFlag(True)
+    thread.join(10)
+    change("Object", 2, "damping", 2.0)  # waits for the next solver, or until the script waits
+    reader.until(lambda: bool(viewer._changes))
+    viewer.idle(0.2, False)
+    assert swinging.GetObjectParameter(2, "damping") == 2.0

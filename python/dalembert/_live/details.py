@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 from dalembert._model.item_facts import facts_of
@@ -27,6 +28,25 @@ def parameters(mbs: Any, kind: str, number: int, with_graphics: bool) -> list[li
         if with_graphics or name != "VgraphicsData":
             rows.append([str(name), text(value)])
     return rows
+
+
+def numbers(mbs: Any, kind: str, number: int) -> dict[str, float]:
+    """Return the parameters that pages may change while a solver runs: single numbers, and constants of functions."""
+    given = dict(getattr(mbs, f"Get{kind}")(number))
+    try:
+        rows = facts_of(f"{kind}{given[f'{kind.lower()}Type']}").parameters.values()
+    except KeyError:  # of a package that has no table
+        return {}
+    result = {}
+    for row in rows:
+        value = given.get(row.name)
+        if isinstance(value, float) and "Assemble()" not in row.facts:
+            result[row.name] = value
+        elif isinstance(value, _core.symbolic.UserFunction):
+            names = [f"{row.name}.{name}" for name in value._Variables()]
+            get = getattr(mbs, f"Get{kind}Parameter")
+            result |= {each: found for each in names if isinstance(found := get(number, each), float)}
+    return result
 
 
 def outputs(mbs: Any, kind: str, number: int) -> list[list[str]]:

@@ -91,6 +91,7 @@ class Viewer:
         self._known_settings = copy.copy(self.settings)
         self._interval = self._wanted_interval()
         self._complaint = ""
+        self._changes: dict[tuple[int, str, int, str], float] = {}  # parameters that pages want to have other values
         self._told: dict[str, Any] = {}  # last message of the state
         self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
@@ -462,6 +463,22 @@ class Viewer:
                 self.plots.choose(system, kind, number, name)
         self._tell_plots()
 
+    def _on_parameter(self, page: int, message: dict[str, Any]) -> None:
+        """Change a parameter of an item: between two steps, or while a script waits."""
+        system, kind, number = int(message["system"]), str(message["item"]), int(message["number"])
+        name, value = str(message["name"]), float(message["value"])
+        known = details.numbers(self.shadows[system].system, kind, number) if kind in details.KINDS else {}
+        if name not in known or not np.isfinite(value):
+            raise ValueError(f"{kind} {number} has no number '{name}' that pages can change to {value}")
+        self._changes[system, kind, number, name] = value
+        self._leave(self._change)
+
+    def _change(self) -> None:
+        """Give parameters the values that pages want; called where the systems may be changed."""
+        while self._changes:
+            (system, kind, number, name), value = self._changes.popitem()
+            getattr(self.container.GetSystem(system), f"Set{kind}Parameter")(number, name, value)
+
     def _on_forces(self, page: int, message: dict[str, Any]) -> None:
         """Draw arrows of forces, or none."""
         self._forces = not self._forces
@@ -546,5 +563,6 @@ class Viewer:
         graphics = bool(self.settings.interactive.advanced.selectionRightMouseGraphicsData)
         words: dict[str, Any] = {"title": f"{kind.lower()} {number}", "units": details.units(mbs, kind, number)}
         words |= {"parameters": details.parameters(mbs, kind, number, graphics)}
+        words |= {"numbers": details.numbers(mbs, kind, number), "item": [system, kind, number]}
         words |= {"outputs": details.outputs(mbs, kind, number), "time": mbs.systemData.GetTime(details.SHOWN)}
         self.server.tell({"kind": "details", **words})

@@ -9,7 +9,6 @@ import numpy as np
 from dalembert._checks import FloatArray
 from dalembert._tools.sensor_facts import component_name
 
-
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")  # of Okabe and Ito
 
 

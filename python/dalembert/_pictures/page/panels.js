@@ -28,8 +28,8 @@ export class Panels {
     return panel;
   }
 
-  // Parameters and outputs of an item, with their units; a click on an output plots it.
-  details({ title, parameters, outputs, units, time }) {
+  // Parameters and outputs of an item, with their units; a click on an output plots it, one on a number makes a slider for it.
+  details({ title, parameters, outputs, units, time, numbers, item: [system, item, number] }) {
     const old = this.open.details, top = old?.dataset.title === title ? old.scrollTop : 0;
     const panel = this.panel("details", title, true);
     panel.dataset.title = title;
@@ -38,12 +38,27 @@ export class Panels {
       const table = element(panel, "table");
       for (const [key, value] of rows) {
         const line = element(table, "tr"), cell = element(line, "td");
-        if (name === "outputs") element(cell, "a", { textContent: key, title: "plot it", onclick: () => this.send("plot", { name: key }) });
+        const link = (parent, title, onclick) => element(parent, "a", { textContent: key, title, onclick });
+        if (name === "outputs") link(cell, "plot it", () => this.send("plot", { name: key }));
+        else if (key in numbers) link(cell, "a slider for it", () => this.slider({ system, item, number, name: key }, numbers[key], units[name][key]));
         else cell.textContent = key;
         for (const text of [value, units[name][key] ?? ""]) element(line, "td", { textContent: text });
       }
     }
     panel.scrollTop = top;
+  }
+
+  // A slider, and a field, for a number of an item: {system, item, number, name}.
+  slider(words, value, unit = "") {
+    const panel = this.open.sliders ?? this.panel("sliders", "parameters"), row = element(panel, "div", { className: "plotted" });
+    element(row, "div", { textContent: `${words.item.toLowerCase()} ${words.number}: ${words.name}${unit && ` (${unit})`}` });
+    const ends = value ? [Math.min(2 * value, 0), Math.max(2 * value, 0)] : [-1, 1], [min, max] = ends;
+    const slider = element(row, "input", { type: "range", min, max, step: (max - min) / 1000, value });
+    const field = element(row, "input", { type: "text", value: value.toPrecision(6) });
+    const tell = (now) => Number.isFinite(now) && this.send("parameter", { ...words, value: now });
+    slider.oninput = () => ((field.value = Number(slider.value).toPrecision(6)), tell(Number(slider.value)));
+    field.onchange = () => ((slider.value = field.value), tell(Number(field.value)));
+    element(row, "button", { className: "close", textContent: "×", title: "remove", onclick: () => (row.remove(), panel.querySelector(".plotted") ?? this.close("sliders")) });
   }
 
   // Plots of outputs beside the view; each has a button that removes it.
