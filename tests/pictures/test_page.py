@@ -482,6 +482,7 @@ def test_pages_have_help_coordinates_parallel_lines_and_films(falling: Any) -> N
         tab.value("""(() => {
           URL.createObjectURL = (blob) => ((window.saved = blob), "blob:");
           HTMLAnchorElement.prototype.click = function () { window.name_ = this.download; };
+          page.times.speed = 0.25; // time for many pictures, also on a busy machine
           page.shoot();
         })()""")
         kind, size, name = tab.wait("window.saved && [window.saved.type, window.saved.size, window.name_]")

@@ -5,7 +5,6 @@ import { element } from "./view.js";
 const PLOT = [320, 190]; // pixels
 const LISTED = 200; // items of a kind that are listed; others are found by their names
 const VEILED = 0.3; // opacity
-const NARROW = 640; // pixels of a page, as in style.css
 
 export class Panels {
   // `left` is called with the name of a panel that the reader has closed.
@@ -20,7 +19,7 @@ export class Panels {
 
   panel(name, title, right = false) {
     this.close(name);
-    const beside = right && this.place.clientWidth > NARROW; // otherwise, all are in one column
+    const beside = right && !this.place.classList.contains("narrow"); // otherwise, all are in one column
     const panel = (this.open[name] = element(beside ? this.place : this.column, "div", { className: beside ? "panel right" : "panel" }));
     panel.dataset.name = name;
     element(panel, "h2", { textContent: title });

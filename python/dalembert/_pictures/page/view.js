@@ -13,6 +13,7 @@ export const FIELD = 30; // degrees, of the camera
 const PARALLEL = 1; // degrees, of one that is so far away that lines look parallel
 const DEPTH = 180; // heights that are seen before and behind the middle
 const ROUND_OFF = 1e-6; // of a distance, in its components
+const NARROW = 640; // pixels of a page on which all panels are in one column
 const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
 
@@ -420,6 +421,7 @@ export class View {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (!width || !height) return;
+    this.place.classList.toggle("narrow", width <= NARROW);
     this.place.style.setProperty("--bar", `${this.bar.offsetHeight}px`);
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
