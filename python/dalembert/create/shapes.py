@@ -46,8 +46,8 @@ def CreateBox(
 ) -> ObjectIndex:
     """Add a homogeneous box, a rigid body, and its weight if there is gravity; return the ObjectIndex.
 
-    The size (m) is along x, y and z of the body, whose frame is in the middle of the box. Without a color, it has one of
-    eight, by its number.
+    The size (m) is along x, y and z of the body, whose frame is in the middle of the box. Without a color, it
+    has one of eight, by its number.
     """
     if min(size) <= 0:
         raise argument_error("CreateBox", "size", "a vector with 3 components greater than zero", size)
