@@ -127,6 +127,7 @@ def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None
     frames = tab.value("page.frames")
     tab.wait(f"page.frames > {frames + 5} && parseFloat(page.time.textContent.slice(4)) > 0")
     assert "solving" in tab.wait("page.state.textContent")
+    tab.wait("/^[0-9.e+]+ x real time$/.test(page.time.textContent.split('\\n')[1])")
     tab.press("q")
     thread.join(20)
     assert not thread.is_alive()

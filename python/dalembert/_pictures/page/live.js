@@ -16,7 +16,7 @@ const PLANES = {
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
 const KEYS = [
   ...MOUSE, ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
-  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F", "forces"], ["O", "perspective or parallel"],
+  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R", "forces; frames of nodes"], ["O", "perspective or parallel"],
   ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
   [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
 ];
@@ -73,7 +73,7 @@ export class Live extends View {
     choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
       (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
     choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
-    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
+    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"]],
       (value) => this.press(value[0], value.length > 1));
     button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
     button("forces", "forces of loads, joints, connectors and contacts as arrows (F)", () => this.send("forces"));
@@ -162,7 +162,8 @@ export class Live extends View {
     this.now = head.time;
     this.times.at(head.time);
     this.panels.mark(head.time);
-    this.words = [this.when(head.time), this.forces].filter(Boolean).join("\n");
+    this.measurePace(head.time);
+    this.words = [this.when(head.time), this.pace, this.forces].filter(Boolean).join("\n");
     this.tell(this.distance);
     this.mark();
     this.wish();
@@ -199,6 +200,7 @@ export class Live extends View {
     const actions = {
       state: () => {
         this.state.textContent = words.text;
+        this.solves = words.text === "solving";
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
       times: () => this.recorded(words),
@@ -215,6 +217,14 @@ export class Live extends View {
       motion: () => this.replay(words.data),
     };
     actions[words.kind]?.();
+  }
+
+  // Simulated time per time, over a second each, while a solver is watched.
+  measurePace(time) {
+    const now = performance.now() / 1000, [then, before] = this.began ?? [now, time];
+    if (!this.solves || this.back || time < before) this.pace = this.began = null;
+    else if (now - then > 1) (this.pace = `${((time - before) / (now - then)).toPrecision(2)} x real time`), (this.began = [now, time]);
+    else this.began ??= [now, time];
   }
 
   // Which times can be looked back to, and whether readers do.
