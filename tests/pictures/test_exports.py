@@ -180,7 +180,7 @@ def test_vtu_has_the_motion(SC: Any, spinning: Any) -> None:
         for block, kinds, owners in zip(grid.cells, grid.cell_data["kind"], grid.cell_data["item"], strict=True):
             chosen = (np.ravel(kinds) == 1) & (np.ravel(owners) == number)
             points.append(grid.points[block.data[chosen]].reshape(-1, 3))
-            values.append(grid.point_data["Displacement, norm"][block.data[chosen]].ravel())
+            values.append(grid.point_data["Displacement, norm (m)"][block.data[chosen]].ravel())
         assert part.values is not None
         drawn = part.mesh.triangles
         assert np.concatenate(points) == pytest.approx(part.mesh.points[drawn].reshape(-1, 3), abs=1e-14)

@@ -94,11 +94,40 @@ def test_solutions_are_looked_through_in_front_of_it(model: Any, tab: Tab, viewe
     tab.wait("page.items.every(([kind]) => kind !== 'Node')")
 
 
+def test_a_click_on_an_output_plots_it_and_the_slider_looks_back(model: Any, tab: Tab, viewer: Viewer) -> None:
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.numberOfSteps = 20
+    settings.timeIntegration.verboseMode = 0
+    for end in (0.5, 1.0):
+        settings.timeIntegration.endTime = end
+        model.SolveDynamic(settings)
+        tab.wait(f"page.now === {end} && Number(page.times.slider.max) === {end}")
+    tab.value("page.pick({ number: page.items.findIndex((i) => i[0] === 'Object' && i[1] === 1), distance: 1 })")
+    link = "[...document.querySelectorAll('[data-name=details] a')].find((a) => a.textContent === 'Position')"
+    tab.wait(f"!!{link}")
+    assert tab.value(f"{link}.closest('tr').lastChild.textContent") == "m"
+    tab.value(f"{link}.click()")
+    tab.wait("page.panels.chosen?.[0].drawn?.length === 3")
+    assert tab.value("page.panels.chosen[0].data.curves[0].x") == [0, 0.5, 1]
+    tab.press("[")
+    tab.wait("page.now === 0.5 && page.back && page.panels.chosen[0].data.now === 0.5")
+    assert tab.value("page.times.slider.value") == "0.5"
+    tab.value("page.times.bar.querySelector('button:last-child').click()")
+    tab.wait("page.now === 1 && !page.back")
+    tab.value("document.querySelector('[data-name=outputs] > .close').click()")
+    tab.wait("!document.querySelector('[data-name=outputs]')")
+    end = time.monotonic() + 20
+    while viewer.plots.curves(viewer.shadows):
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
 def test_it_follows_the_solver_until_it_is_stopped(model: Any, tab: Tab) -> None:
     thread = solving(model)
     frames = tab.value("page.frames")
     tab.wait(f"page.frames > {frames + 5} && parseFloat(page.time.textContent.slice(4)) > 0")
     assert "solving" in tab.wait("page.state.textContent")
+    tab.wait("/^[0-9.e+]+ x real time$/.test(page.time.textContent.split('\\n')[1])")
     tab.press("q")
     thread.join(20)
     assert not thread.is_alive()

@@ -80,6 +80,8 @@ def test_keys_show_and_hide(viewer: Viewer) -> None:
         reader.press("t")
         reader.until(lambda b=before: (scene.facesTransparent, scene.showFaceEdges, scene.showFaces) != b)
     assert len(seen) == 5
+    reader.press("r")
+    reader.until(lambda: viewer.settings.nodes.showBasis)
     reader.press("3")
     reader.until(lambda: viewer.settings.general.graphicsUpdateInterval == 0.5)
 

@@ -321,7 +321,9 @@ def test_saved_pages_look_as_settings_say(falling: Any) -> None:
         tab.wait("page.drawn > 0")
         opacity = tab.value("page.objects.filter((object) => object.isMesh).map((object) => object.material.opacity)")
         assert opacity and opacity == pytest.approx([0.25] * len(opacity))
-        assert tab.value("page.objects.filter((object) => object.userData.edges).every((object) => object.visible)")
+        assert tab.value(
+            "page.objects.filter((object) => object.userData.rim).every((object) => object.visible !== !!object.userData.hidden)"
+        )
         assert tab.value("page.renderer.clippingPlanes.map(({ normal, constant }) => [normal.z, constant])") == [
             [-1, 0.5]
         ]
@@ -369,3 +371,140 @@ def test_where_windows_are_opened(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DALEMBERT_VIEWER", "off")
     assert not showing.has_display()
     assert not showing.in_notebook()
+
+
+def test_items_are_searched_hidden_veiled_and_isolated(mbs: Any) -> None:
+    """Hidden items are neither drawn nor picked; a transparent one lets those behind it shine through; weight is hidden
+    until it is shown."""
+    for number, color in enumerate(([1, 0, 0, 1], [0, 0, 1, 1])):
+        mbs.CreateRigidBody(
+            name=("front", "back")[number], referencePosition=[0, 0, -2 * number], gravity=[0, -9.81, 0],
+            inertia=exu.utilities.InertiaCuboid(1000, [1, 1, 1]), graphicsDataList=[graphics.Brick(size=[1, 1, 1], color=color)],
+        )  # fmt: skip
+    mbs.Assemble()
+    mbs.GetSystemContainer().visualizationSettings.nodes.show = False
+    mbs.SaveHTML("two.html", view="front")
+    with browser.running() as program:
+        tab = program.tab(Path("two.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        tab.value("page.look({ ...page.looking(), zoom: 4 })")
+
+        def middle() -> Any:
+            """Red, green and blue in the middle of the picture, and the name of the item that is picked there."""
+            return tab.value("""(() => {
+              page.render();
+              const gl = page.renderer.getContext(), pixel = new Uint8Array(4), [x, y] = page.projected([0.2, 0.2, 0.5]);
+              gl.readPixels(x, page.canvas.height - y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+              return [...pixel.slice(0, 3), page.itemAt(x, y)?.[3] ?? null];
+            })()""")
+
+        names = "[...document.querySelectorAll('.panel .item a')].map((a) => a.textContent)"
+        red, _, blue, name = middle()
+        assert red > 100 and blue < 60 and name == "front"
+        loads = tab.value("page.items.flatMap((item, i) => (item[0] === 'Load' ? [page.opacity(i)] : []))")
+        assert loads == [0, 0]
+        tab.value("[...page.bar.querySelectorAll('button')].find((b) => b.textContent === 'items').click()")
+        assert {"0 front", "1 back"} <= set(tab.value(names))
+        press = "[...document.querySelectorAll('.panel .item')].find((r) => r.textContent.includes('{}')).{}"
+        tab.value(press.format("0 front", "querySelector('[title^=transparent]').click()"))
+        mixed, _, shining, name = middle()
+        assert mixed < red - 20 and shining > blue + 20 and name == "front"
+        tab.value(press.format("0 front", "querySelector('input').click()"))
+        red, _, blue, name = middle()
+        assert red < 60 and blue > 100 and name == "back"
+        tab.value(press.format("0 front", "querySelector('[title$=only]').click()"))
+        assert middle()[3] == "front"
+        assert tab.value("page.items.filter((_, i) => page.opacity(i)).map((item) => item[3])") == ["front"]
+        tab.value(press.format("1 back", "querySelector('[title^=zoom]').click()"))
+        assert tab.value("page.looking().center") == pytest.approx([0, 0, -2], abs=1e-6)
+        tab.value("(() => { const s = document.querySelector('.panel input'); s.value = 'BACK'; s.oninput(); })()")
+        assert tab.value(names) == ["1 back"]
+        tab.value("[...document.querySelectorAll('.panel button')].find((b) => b.textContent === 'show all').click()")
+        assert tab.value("page.items.every((_, i) => page.opacity(i) === 1)")
+        assert not tab.errors
+
+
+def test_the_first_view_fits_windows_of_any_shape(falling: Any) -> None:
+    """All corners of the scene are in the window, also of a telephone, with the perspective of pages."""
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    corners = """page.objects.filter((o) => o.isMesh).flatMap((o) => {
+      o.geometry.computeBoundingBox();
+      const { min, max } = o.geometry.boundingBox, points = [];
+      for (let i = 0; i < 8; ++i) points.push(min.clone().set(i & 1 ? min.x : max.x, i & 2 ? min.y : max.y, i & 4 ? min.z : max.z));
+      const at = (k) => { const m = o.matrixWorld.clone(); if (o.isInstancedMesh) o.getMatrixAt(k, m); return m; };
+      return o.userData.items.flatMap((_, k) => points.map((p) => page.projected(p.clone().applyMatrix4(at(k)))));
+    })"""
+    with browser.running() as program:
+        tab = program.tab()
+        for width, height in ((1300, 600), (390, 800)):
+            tab.call(
+                "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False
+            )
+            tab.go(Path("falling.html").resolve().as_uri() + f"?{width}")
+            tab.wait("page.drawn > 0")
+            for number in (0, 10):
+                tab.value(f"page.play(false), page.show({number})")
+                pixels = np.array(tab.value(corners))
+                assert (pixels >= 0).all() and (pixels <= [width, height]).all(), (width, number)
+            assert tab.value("document.documentElement.scrollWidth") <= width
+
+
+def test_pages_have_help_coordinates_parallel_lines_and_films(falling: Any) -> None:
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    with browser.running() as program:
+        tab = program.tab(Path("falling.html").resolve().as_uri())
+        tab.wait("page.drawn > 0")
+        tab.press("?")
+        assert "play or pause" in tab.value("document.querySelector('[data-name=help]').textContent")
+        tab.press("?")
+        assert tab.value("document.querySelector('[data-name=help]') === null")
+        tab.value("page.play(false), page.show(0), page.render()")
+        x, y = tab.value("page.projected([1, 0, 0.05])")
+        tab.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+        words = tab.value("page.hint.textContent").split("\n")
+        point = [float(part) for part in words[1].removesuffix(" m").strip("()").split(",")]
+        hit = tab.value(f"[...page.hit({x}, {y}).point]")
+        pixel = tab.value("2 * page.looking().zoom / page.canvas.clientHeight")
+        assert words[0].startswith("object 0: ") and point == pytest.approx(hit, abs=pixel)
+        before = tab.value("page.looking()")
+
+        def width(depth: float) -> float:
+            """Pixels between two points 0.1 m from each other, so far behind the middle of the view."""
+            right, towards = before["rotation"][:3], before["rotation"][6:]
+            middle = np.array(before["center"]) - depth * np.array(towards)
+            ends = [tab.value(f"page.projected({(middle + s * np.array(right)).tolist()})") for s in (0, 0.1)]
+            return float(ends[1][0] - ends[0][0])
+
+        assert width(1.0) < 0.95 * width(0.0)
+        tab.press("o")
+        assert tab.value("page.looking().zoom") == pytest.approx(before["zoom"])
+        assert width(1.0) == pytest.approx(width(0.0), rel=0.02)
+        tab.value("""(() => {
+          URL.createObjectURL = (blob) => ((window.saved = blob), "blob:");
+          HTMLAnchorElement.prototype.click = function () { window.name_ = this.download; };
+          page.times.speed = 0.25; // time for many pictures, also on a busy machine
+          page.shoot();
+        })()""")
+        kind, size, name = tab.wait("window.saved && [window.saved.type, window.saved.size, window.name_]")
+        assert kind.startswith("video/") and size > 1000 and name == f"film.{kind[6:]}"
+        assert not tab.value("page.playing") and not tab.errors
+
+
+def test_a_floor_is_below_all_of_the_motion(falling: Any) -> None:
+    """The grid is less than a cell below the lowest point, on the axis along which weight acts; it is not picked."""
+    falling.SaveHTML("falling.html", framesPerSecond=10)
+    with browser.running() as program:
+        tab = program.tab(Path("falling.html").resolve().as_uri())
+        tab.wait("page.drawn > 0 && !!page.floor")
+        floor = tab.value("[page.floor.up, page.floor.level, page.floor.cell, page.floor.object.children.length]")
+        lowest = tab.value("page.floor.box.min.getComponent(page.floor.up)")
+        assert (
+            floor[0] == unpacked(data_of(Path("falling.html").read_text("utf-8")))[0]["upwards"]
+            and lowest - floor[2] <= floor[1] <= lowest
+        )
+        tab.value("page.play(false), page.look({ ...page.looking(), zoom: 100 })")
+        tab.value("page.ground()")
+        assert tab.value("page.floor === null")
+        tab.value("page.renderer.shadowMap.enabled = true, page.ground(), page.reveal(), page.render()")
+        assert tab.value("page.floor.object.children.length") == 4  # grid, lamp, its target, and what is shaded
+        assert tab.value("page.objects.includes(page.floor.object)") is False and not tab.errors

@@ -58,6 +58,15 @@ def test_shapes_are_drawn(mbs: Any) -> None:
         np.testing.assert_allclose(np.ptp(points, axis=0), size, rtol=0.02)  # round shapes consist of triangles
 
 
+def test_neighbours_have_different_colors_unless_they_are_given(mbs: Any) -> None:
+    def color(**arguments: Any) -> tuple[float, ...]:
+        body = mbs.CreateSphere(radius=1, mass=1, **arguments)
+        return tuple(np.round(np.reshape(mbs.GetObject(body, True)["VgraphicsData"][0]["colors"], (-1, 4))[0], 6))
+
+    assert len({color() for _ in range(8)}) == 8
+    assert color(color=[1, 0, 0, 1]) == (1, 0, 0, 1)
+
+
 def test_planar_shapes(mbs: Any) -> None:
     mbs.CreateBox(size=[1, 2, 3], density=10, create2D=True)
     assert mbs.GetObject(0)["objectType"] == "RigidBody2D"

@@ -494,7 +494,8 @@ def test_plots() -> None:
     with pytest.raises(ValueError, match="no outputs yet"):
         solution.plot()
     ax = solution.plot("mass.displacement", (model["mass"], "position"))
-    assert len(ax.lines) == 6
+    assert len(ax.lines) == 6 == len({line.get_color() for line in ax.lines})
+    assert not ax.spines["top"].get_visible() and ax.get_xlim() == (0, pytest.approx(0.1))
     assert ax.lines[0].get_ydata() == pytest.approx(solution["mass"].displacement[:, 0], abs=0)
 
 

@@ -19,24 +19,27 @@ FRAME = 12  # numbers of a frame: position and rotation matrix
 
 
 class Track:
-    """At most LONGEST rows; the first number of each is a time.
+    """A limited number of rows; the first number of each is a time.
 
     If the list is full, outdated rows are removed; if there are none, every second row is removed, and the sampling
     rate
     is halved. The last row is always kept.
     """
 
-    def __init__(self, columns: int) -> None:
-        """`columns`: numbers in a row."""
-        self._rows = np.empty((LONGEST + 1, columns))
+    def __init__(self, columns: int, longest: int = LONGEST) -> None:
+        """`columns`: numbers in a row; `longest`: maximum number of rows."""
+        self._rows, self._longest = np.empty((longest + 1, columns)), longest
         self._count, self._every = 0, 1  # every n-th row is kept
         self._kept, self._waits = 0, 0  # 1: the last row is not one of those that are kept
 
-    def add(self, row: FloatArray, since: float = -np.inf) -> None:
-        """Add a row; rows from before `since` are of no use any more."""
-        if self._kept == LONGEST and self._count % self._every == 0:
-            old = int(np.searchsorted(self._rows[:LONGEST, 0], since))
-            used = self._rows[old:LONGEST] if old else self._rows[:LONGEST:2]
+    def add(self, row: FloatArray, since: float = -np.inf, replaces: bool = False) -> None:
+        """Add a row, or replace the last one; rows from before `since` are of no use any more."""
+        if replaces:
+            self.rows()[-1] = row
+            return
+        if self._kept == self._longest and self._count % self._every == 0:
+            old = int(np.searchsorted(self._rows[: self._longest, 0], since))
+            used = self._rows[old : self._longest] if old else self._rows[: self._longest : 2]
             self._every *= 1 if old else 2
             self._kept = len(used)
             self._rows[: self._kept] = used.copy()
@@ -58,6 +61,7 @@ class History:
         self._seen: dict[int, Track] = {}
         self._frames: dict[int, int | None] = {}  # nodes of floating frames in whose components rows of sensors are
         self._frames_now: list[int] = []  # -1: no frame, for all sensors
+        self.rests = False  # an earlier state is shown: nothing is added
 
     def rows(self, number: int) -> tuple[Any, FloatArray | None]:
         """Return time and values of a sensor, row by row, and their floating frames if the values are not global.
@@ -73,7 +77,7 @@ class History:
             raise ValueError(f"sensor {number} stores nothing")
         time = system.systemData.GetTime(ConfigurationType.Visualization)
         last = -np.inf if track is None else float(track.rows()[-1, 0])
-        if track is None or time != last:
+        if track is None or (time != last and not self.rests):
             values = np.ravel(system.GetSensorValues(number, ConfigurationType.Visualization))
             again = track is None or time < last  # another solution
             if again:

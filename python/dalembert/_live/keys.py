@@ -37,6 +37,9 @@ def press(settings: Any, key: str, with_numbers: bool) -> bool:
         name = "showNumbers" if with_numbers else "show"
         setattr(group, name, not getattr(group, name))
         return True
+    if letter == "r":
+        settings.nodes.showBasis = not settings.nodes.showBasis
+        return True
     if letter in INTERVALS:
         settings.general.graphicsUpdateInterval = INTERVALS[letter]
         return True

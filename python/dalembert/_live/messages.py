@@ -305,11 +305,7 @@ def _whole(
             "items": [*threads.items.tolist(), *(item for *_, item in scene.lines)],
         },
         "labels": [[label.text, list(label.color)] for label in scene.labels],
-        "camera": {
-            "rotation": camera.rotation.ravel().tolist(),
-            "center": camera.center.tolist(),
-            "zoom": camera.zoom,
-        },
+        "camera": camera.words(),
     }
     return arrays.message(head)
 

@@ -21,10 +21,11 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
+from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
-from dalembert._pictures import draw
-from dalembert._pictures.camera import Camera
+from dalembert._pictures import draw, forces
+from dalembert._pictures.camera import PERSPECTIVE_OF_PAGES, Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.notices import tell_settings_of_pictures
@@ -70,6 +71,7 @@ class Viewer:
         self.container, self.settings = container, container.visualizationSettings
         self.shadows: list[Any] = []
         self._histories: list[History] = []
+        self.past, self.plots = Past(), Plots()
         self.studio: Studio | None = None
         self.stage = Stage()
         self.selection: tuple[int, str, int, float] | None = None
@@ -89,9 +91,12 @@ class Viewer:
         self._known_settings = copy.copy(self.settings)
         self._interval = self._wanted_interval()
         self._complaint = ""
+        self._changes: dict[tuple[int, str, int, str], float] = {}  # parameters that pages want to have other values
         self._told: dict[str, Any] = {}  # last message of the state
+        self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
-        self._words: dict[str, dict[str, Any]] = {}  # last message of the settings, by name of the color output
+        self._words: dict[Any, dict[str, Any]] = {}  # last message of the settings, by what else is in it
+        self._forces = False  # arrows of forces are drawn
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
@@ -143,7 +148,7 @@ class Viewer:
         if {"zoom", "modelRotation", "centerPoint"} <= state.keys() and float(state["zoom"]) > 0:
             rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
             seen = Camera(rotation, np.asarray(state["centerPoint"], float), float(state["zoom"]))
-            self.server.tell({"kind": "camera", "camera": views.seen_from(seen)})
+            self.server.tell({"kind": "camera", "camera": seen.words()})
         else:
             self.redraw(home=True)
 
@@ -272,13 +277,16 @@ class Viewer:
         looks = self.studio.makers[0].looks if self.studio.makers else Looks(self.settings)
         if not self._words:
             tell_settings_of_pictures(self.settings)
-        words = self._words.get(scene.value_name) or views.words(self.settings, scene, looks)
-        self._words = {scene.value_name: words}
+        scales = [maker.forces.words(maker.looks.size) for maker in self.studio.makers if maker.forces is not None]
+        known = scene.value_name, *scales
+        others = {"forces": "\n".join(scales), "upwards": self.studio.upwards()}
+        words = self._words.get(known) or views.words(self.settings, scene, looks) | others
+        self._words = {known: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1
         if self._home:
             self._home = False
-            self.server.tell({"kind": "camera", "camera": views.seen_from(camera())})
+            self.server.tell({"kind": "camera", "camera": camera().words()})
         if self._views:
             self._views = False
             self.server.tell({"kind": "views", "views": views.beside(self.container, self.studio, scene)})
@@ -303,19 +311,25 @@ class Viewer:
             self.shadows = [_core._Shadow(mbs) for mbs in systems]
             self._histories = [History(*both, self.settings) for both in zip(systems, self.shadows, strict=True)]
         self._flow = self._only_moving()
-        places = self.selection is None and self._flow is not None
-        state = items = structure = False
-        for shadow in self.shadows:
-            has_moved, has_other_items, is_other_model = shadow.follow(places)
-            state, items, structure = state or has_moved, items or has_other_items, structure or is_other_model
+        places = self.selection is None and self._flow is not None and not self.past.is_due()
+        news = [shadow.follow(places) for shadow in self.shadows]
+        moved, items, structure = [new[0] for new in news], any(new[1] for new in news), any(new[2] for new in news)
+        if changed or structure:
+            self.past.begin(self.shadows)
+            self.plots.drop()
+        state = self.past.take(moved)
+        for history in self._histories:
+            history.rests = self.past.time is not None
         self._stale = self._stale or items
         now = time.monotonic()
         again = changed or structure or self.studio is None or (self._stale and now - self._made > OFTEN)
         if again:
             self._made, self._stale = now, False
             self.studio = Studio(self.container, [shadow.system for shadow in self.shadows])
+            self.studio.perspective = PERSPECTIVE_OF_PAGES
             for maker, history in zip(self.studio.makers, self._histories, strict=True):
                 maker.stored = history.rows
+                maker.show_forces(self._forces)
                 history.forget_frames()
             self._home = self._home or changed or structure
         if again or items:
@@ -332,6 +346,8 @@ class Viewer:
             self._tell_details(*self.selection[:3])
         if self._state() != self._told:
             self._tell_state()
+        self._tell_times()
+        self._tell_plots()
 
     def _know_settings(self) -> None:
         if not self.settings._equals(self._known_settings):
@@ -352,6 +368,9 @@ class Viewer:
     def _on_opened(self, page: int, message: dict[str, Any]) -> None:
         self._views = True
         self._tell_state(page)
+        self.server.tell(self.past.words(), page)
+        if curves := self.plots.curves(self.shadows):
+            self.server.tell({"kind": "outputs", "curves": curves}, page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
 
@@ -405,6 +424,7 @@ class Viewer:
             self.selection = None
             return
         kind, item, _, _, system = picked
+        kind = forces.owner(picked) if kind == forces.KIND else kind
         if kind not in details.KINDS or not int(advanced.selectionLeftMouseItemTypes) >> details.KINDS.index(kind) & 1:
             self.selection = None
             return
@@ -431,6 +451,49 @@ class Viewer:
             if not isinstance(value, (bool, int, float, str)):
                 raise ValueError("expected a number or a text")
             self.values[name] = value
+
+    def _on_plot(self, page: int, message: dict[str, Any]) -> None:
+        """Plot an output of the selected item, or no longer plot one."""
+        if "drop" in message:
+            self.plots.drop(message["drop"] if message["drop"] is None else int(message["drop"]))
+        elif self.selection is not None:
+            system, kind, number, _ = self.selection
+            name = str(message["name"])
+            if details.output(self.shadows[system].system, kind, number, name) is not None:
+                self.plots.choose(system, kind, number, name)
+        self._tell_plots()
+
+    def _on_parameter(self, page: int, message: dict[str, Any]) -> None:
+        """Change a parameter of an item: between two steps, or while a script waits."""
+        system, kind, number = int(message["system"]), str(message["item"]), int(message["number"])
+        name, value = str(message["name"]), float(message["value"])
+        known = details.numbers(self.shadows[system].system, kind, number) if kind in details.KINDS else {}
+        if name not in known or not np.isfinite(value):
+            raise ValueError(f"{kind} {number} has no number '{name}' that pages can change to {value}")
+        self._changes[system, kind, number, name] = value
+        self._leave(self._change)
+
+    def _change(self) -> None:
+        """Give parameters the values that pages want; called where the systems may be changed."""
+        while self._changes:
+            (system, kind, number, name), value = self._changes.popitem()
+            getattr(self.container.GetSystem(system), f"Set{kind}Parameter")(number, name, value)
+
+    def _on_forces(self, page: int, message: dict[str, Any]) -> None:
+        """Draw arrows of forces, or none."""
+        self._forces = not self._forces
+        for maker in self.studio.makers if self.studio is not None else []:
+            maker.show_forces(self._forces)
+        self._dirty = True
+
+    def _on_seek(self, page: int, message: dict[str, Any]) -> None:
+        """Look back, or at the present state."""
+        when, speed = message["time"], float(message.get("speed", 1.0))
+        if when is not None and not np.isfinite(float(when)) or not 0 < speed < np.inf:
+            raise ValueError("expected finite numbers, and a positive speed")
+        when = None if when is None else float(when)
+        self.past.seek(when, int(message.get("step", 0)), bool(message.get("plays")), speed)
+        self._tell_times()
 
     # ---- what they lead to
 
@@ -485,10 +548,21 @@ class Viewer:
             self._told = state
         self.server.tell(state, page)
 
+    def _tell_times(self) -> None:
+        words = self.past.words()
+        if words != self._told_times:
+            self._told_times = words
+            self.server.tell(words)
+
+    def _tell_plots(self) -> None:
+        if (curves := self.plots.renewed(self.shadows, self.past)) is not None:
+            self.server.tell({"kind": "outputs", "curves": curves})
+
     def _tell_details(self, system: int, kind: str, number: int) -> None:
         mbs = self.shadows[system].system
         graphics = bool(self.settings.interactive.advanced.selectionRightMouseGraphicsData)
-        parameters = details.parameters(mbs, kind, number, graphics)
-        outputs = details.outputs(mbs, kind, number)
-        title = f"{kind.lower()} {number}"
-        self.server.tell({"kind": "details", "title": title, "parameters": parameters, "outputs": outputs})
+        words: dict[str, Any] = {"title": f"{kind.lower()} {number}", "units": details.units(mbs, kind, number)}
+        words |= {"parameters": details.parameters(mbs, kind, number, graphics)}
+        words |= {"numbers": details.numbers(mbs, kind, number), "item": [system, kind, number]}
+        words |= {"outputs": details.outputs(mbs, kind, number), "time": mbs.systemData.GetTime(details.SHOWN)}
+        self.server.tell({"kind": "details", **words})

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from dalembert._live.messages import palette
-from dalembert._pictures.camera import Camera
 from dalembert._pictures.looks import Looks, clip
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import Scene
@@ -30,12 +29,7 @@ def beside(container: Any, studio: Studio, scene: Scene) -> list[dict[str, Any]]
     """Return the enabled additional views."""
     states = {number: state_of(container.renderer, number) for number in (1, 2, 3)}
     return [
-        {"number": n, "camera": seen_from(studio.camera(scene, n)), "clip": clip(studio.view(n))}
+        {"number": n, "camera": studio.camera(scene, n).words(), "clip": clip(studio.view(n))}
         for n, state in states.items()
         if state.get("viewEnabled")
     ]
-
-
-def seen_from(seen: Camera) -> dict[str, Any]:
-    """Return from where a camera looks."""
-    return {"rotation": seen.rotation.ravel().tolist(), "center": seen.center.tolist(), "zoom": seen.zoom}

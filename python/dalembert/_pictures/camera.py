@@ -11,6 +11,7 @@ from dalembert._checks import FloatArray, as_rotation
 from dalembert.rigidBodyUtilities import RotationVector2RotationMatrix
 
 FRONT = np.eye(3)  # x to the right, y up
+PERSPECTIVE_OF_PAGES = float(np.tan(np.radians(30.0) / 2))  # FIELD in page/view.js
 
 
 def axonometric(up: int = 2) -> FloatArray:
@@ -30,6 +31,7 @@ class Camera:
     center: FloatArray = field(default_factory=lambda: np.zeros(3))
     zoom: float = 1.0
     perspective: float = 0.0  # zoom by distance of the viewer; 0: parallel
+    aspect: float = 0.0  # width by height of the image that it was fitted to; 0: it was not
 
     def view(self) -> FloatArray:
         """Return the rows that turn points to right, up and away from the viewer (3 x 4)."""
@@ -41,6 +43,12 @@ class Camera:
         eye = points @ self.view()[:, :3].T + self.view()[:, 3]
         scale = 0.5 * height / self.zoom / (1 + self.perspective / self.zoom * eye[:, 2])
         return np.stack([0.5 * width + scale * eye[:, 0], 0.5 * height - scale * eye[:, 1], eye[:, 2]], 1)
+
+    def words(self) -> dict[str, Any]:
+        """Return the camera for pages, which look from farther away if they are narrower than the image."""
+        rows, center = self.rotation.ravel().tolist(), self.center.tolist()
+        known = {"rotation": rows, "center": center, "zoom": self.zoom}
+        return known | {"aspect": self.aspect} if self.aspect else known
 
     def fit(self, box: FloatArray | None, width: int, height: int, factor: float = 1.2, right: float = 0.0) -> None:
         """Let the camera look at a box, from where it is now, with a margin; `right`: part of the width left free."""
@@ -54,7 +62,7 @@ class Camera:
         wide = (1 - right) * width / height
         # seen at x / (1 - perspective * towards / zoom), which is to be within zoom times the shape of the image
         needed = np.maximum(np.abs(x) / wide, np.abs(y)) + self.perspective * towards
-        self.zoom = factor * (float(needed.max()) or 1.0)
+        self.zoom, self.aspect = factor * (float(needed.max()) or 1.0), width / height
         middle[0] += right * self.zoom * width / height
         self.center = self.rotation.T @ middle
 

@@ -20,7 +20,7 @@ from dalembert._pictures.scene import DrawnItem
 
 KIND = "GeneralContact"
 # the first kind is rigid; the other ones are drawn anew in each scene
-SHAPES, SEARCH, FORCES = "shapes", "search", "forces"
+SHAPES, SEARCH, FORCES = "shapes", "search", "Force"  # the last one is the kind of all forces as well
 PUSHING = (0.85, 0.1, 0.1, 1.0)
 CROWDED = (1.0, 0.0, 0.0)  # the cell that holds most
 
@@ -129,11 +129,7 @@ def _draw_forces(pen: Pen, number: int) -> None:
     """Draw contact points, and the force on the sphere at each; if they are unknown, report the reason once."""
     settings = pen.looks.setting("contact")
     size = pen.looks.length("contact.contactPointsDefaultSize", 0.01)
-    try:
-        _, points, forces = pen.places.mbs.GetGeneralContact(number)._pushes(pen.places.configuration)
-    except (RuntimeError, ValueError) as error:  # another thread solves the system, or two spheres have one center
-        _notice_once(f"WARNING: forces of general contact {number} are not drawn: {error}")
-        return
+    points, forces = pushes(pen, number)
     pen.stick()
     for point, force in zip(points, forces, strict=True):
         strength = float(np.linalg.norm(force))
@@ -142,6 +138,16 @@ def _draw_forces(pen: Pen, number: int) -> None:
             pen.arrow(point, float(settings.contactForcesFactor) * force, 0.25 * size, PUSHING)
             if settings.showContactForcesValues:
                 pen.label(point, f"{strength:.4g} N", PUSHING)
+
+
+def pushes(pen: Pen, number: int) -> tuple[FloatArray, FloatArray]:
+    """Return contact points, and the force on the sphere at each; none if they are unknown."""
+    try:
+        _, points, forces = pen.places.mbs.GetGeneralContact(number)._pushes(pen.places.configuration)
+    except (RuntimeError, ValueError) as error:  # another thread solves the system, or two spheres have one center
+        _notice_once(f"WARNING: forces of general contact {number} are not drawn: {error}")
+        return np.zeros((0, 3)), np.zeros((0, 3))
+    return points, forces
 
 
 @functools.cache

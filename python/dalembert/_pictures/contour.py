@@ -12,6 +12,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks
+from dalembert._tools.sensor_facts import unit_on_bodies
 
 
 class Contour:
@@ -28,7 +29,9 @@ class Contour:
         """Return the title of the color bar."""
         if not self.active:
             return ""
-        return f"{self.variable.name}, {'norm' if self.component < 0 else f'component {self.component}'}"
+        unit = unit_on_bodies(self.variable.name)
+        part = "norm" if self.component < 0 else f"component {self.component}"
+        return f"{self.variable.name}, {part}{f' ({unit})' if unit else ''}"
 
     def number(self, output: FloatArray | None) -> float:
         """Return the number of an output; 0 if the item does not have it."""

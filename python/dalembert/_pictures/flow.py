@@ -15,6 +15,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType
+from dalembert._pictures import contacts
 from dalembert._pictures.meshes import Mesh
 from dalembert._pictures.pen import Pen
 from dalembert._pictures.places import Places
@@ -134,6 +135,7 @@ class Flow:
         loose |= {sphere[3] for sphere, frame in zip(scene.spheres, stuck.spheres, strict=True) if frame < 0}
         loose |= {line[3] for line, frame in zip(scene.lines, stuck.lines, strict=True) if frame < 0}
         loose |= {item for item, frame in stuck.labels if frame < 0}
+        loose |= {number for number, item in enumerate(scene.items) if contacts.FORCES in (item.kind, item.type_name)}
         self._loose = sorted(loose - {-1})
         frames = all_parts.frames()
 

@@ -33,7 +33,7 @@ def SaveHTML(
     path = Path(file_to_write("SaveHTML: fileName", fileName, newFolder=True))
     if path.suffix.lower() not in (".html", ".htm"):
         raise ValueError(f"SaveHTML: fileName: expected a name that ends with .html, received '{fileName}'")
-    motion = Motion(mbs, "SaveHTML", solution, framesPerSecond, speed, view, (1024, 768), optional=True)
+    motion = Motion(mbs, "SaveHTML", solution, framesPerSecond, speed, view, (1024, 768), optional=True, page=True)
     path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as written:
         Path(written).write_text(page(motion, {"title": title or path.stem, "plays": True, "again": True}), "utf-8")

@@ -46,6 +46,7 @@ class Looks:
     settings: Any
     size: float = 1.0
     crowd: int = 0  # how many objects there are
+    forces: bool = False  # arrows of forces are drawn, in place of those of loads
     _windings: dict[int, int] = field(default_factory=dict)  # by number of the spring
     _slenderness: dict[int, float] = field(default_factory=dict)
     _known: Any = None  # a copy of the settings

@@ -9,10 +9,11 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType
-from dalembert._pictures import connectors, contacts, contour, flexible, symbols, traces
+from dalembert._pictures import connectors, contacts, contour, flexible, forces, symbols, traces
 from dalembert._pictures.bodies import Bodies, node_in_place_of
 from dalembert._pictures.contour import Contour
 from dalembert._pictures.crowds import RIGID, Crowd, groups
+from dalembert._pictures.forces import Forces
 from dalembert._pictures.looks import Looks, rgba
 from dalembert._pictures.meshes import Mesh, edges_of_box
 from dalembert._pictures.pen import Pen
@@ -51,6 +52,11 @@ class SceneMaker:
         self._changes = 0
         self.stored: traces.Stored = lambda sensor: (mbs.GetSensorStoredData(sensor), self.source.stored_frames(sensor))
         self._sized = False
+        self.forces: Forces | None = None  # if they are drawn
+
+    def show_forces(self, flag: bool) -> None:
+        """Draw arrows of forces, or none."""
+        self.forces, self.looks.forces = Forces() if flag else None, flag
 
     def scene(self, configuration: ConfigurationType | None = None) -> Scene:
         """Return the scene in a configuration: the visualization state, or the reference before assembly."""
@@ -109,6 +115,11 @@ class SceneMaker:
         for item in contacts.drawn_items(self.mbs, self.looks):
             pen.take(item)
             contacts.draw(pen, item)
+        if self.forces is not None and assembled:
+            self.forces.measure(pen)
+            for item in self.forces.drawn_items(pen):
+                pen.take(item)
+                self.forces.draw(pen, item)
         self._trace = len(scene.items)
         pen.take(DrawnItem("Trace", 0, "", ""))
         self._finish(pen, colors)
@@ -122,6 +133,8 @@ class SceneMaker:
     def draw_again(self, scene: Scene, places: Places, chosen: list[int]) -> None:
         """Draw some items of a scene with a complete list of items, and all parts that are drawn anew in each scene."""
         pen, colors = Pen(scene, places, self.looks), Contour(self.looks)
+        if self.forces is not None:
+            self.forces.measure(pen)
         for number in chosen:
             if number != self._trace:
                 pen.go_on(number)
@@ -252,6 +265,10 @@ class SceneMaker:
         """Draw one item."""
         if drawn.kind == contacts.KIND:
             contacts.draw(pen, drawn)
+            return
+        if drawn.kind == forces.KIND:
+            if self.forces is not None:
+                self.forces.draw(pen, drawn)
             return
         kind, number = drawn.kind, drawn.number
         item = pen.places.item(kind, number)

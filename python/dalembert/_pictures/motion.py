@@ -12,6 +12,7 @@ from dalembert._checks import FloatArray, IntArray, as_positive
 from dalembert._core import ConfigurationType
 from dalembert._io.solution_states import SetSolutionState, check_solution, check_solution_of
 from dalembert._pictures import draw
+from dalembert._pictures.camera import PERSPECTIVE_OF_PAGES
 from dalembert._pictures.films import times_of
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.painting import Image
@@ -35,11 +36,12 @@ class Motion:
         zoom: float = 1.0,
         optional: bool = False,
         every_row: bool = False,
+        page: bool = False,
     ) -> None:
         """Make the scenes; every_row makes one for each row of the solution, otherwise they are at equal time
         intervals.
 
-        `optional`: if there is no solution, the visualization state is the only scene.
+        `optional`: if there is no solution, the visualization state is the only scene. `page`: it is shown on a page.
         """
         self.rate, speed = (
             as_positive(f"{caller}: framesPerSecond", framesPerSecond),
@@ -48,6 +50,7 @@ class Motion:
         if solution is not None:
             check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
+        self.studio.perspective = PERSPECTIVE_OF_PAGES if page else None
         self._tracked: list[Any] = []  # pose that the camera follows, per scene
         self.size = size or self.studio.size(0)
         try:
@@ -105,7 +108,8 @@ class Still:
     """The visualization state of all systems of a container, as the only scene of a motion."""
 
     def __init__(self, container: Any, size: tuple[int, int] = (1024, 768)) -> None:
-        studio = Studio(container)
+        studio = self.studio = Studio(container)
+        studio.perspective = PERSPECTIVE_OF_PAGES
         scene = studio.scene()
         self.rate, self.scenes = 1.0, [scene]
         self.camera = draw.camera_for(studio, scene, None, size, 1.0)

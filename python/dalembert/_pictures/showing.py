@@ -34,7 +34,9 @@ def show_solution(
     from dalembert._pictures import html
     from dalembert._pictures.motion import Motion
 
-    motion = Motion(mbs, "SolutionViewer", solution, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True)
+    motion = Motion(
+        mbs, "SolutionViewer", solution, 1 / max(pause, 1e-3), 1.0, None, (1024, 768), every_row=True, page=True
+    )
     words = {"title": title, "plays": plays, "again": mode > 0} | ({"captions": captions} if captions else {})
     if notebook:
         _show_in_notebook(html.page(motion, words))

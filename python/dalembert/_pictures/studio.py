@@ -59,6 +59,7 @@ class Studio:
             for number, mbs in enumerate(known if systems is None else systems)
         ]
         self._flows: list[Flow] = []
+        self.perspective: float | None = None  # that of pages; None: that of the settings
         tell_settings_without_effect(self.settings)
 
     def margin(self) -> float:
@@ -121,7 +122,7 @@ class Studio:
         """Return the camera of the render state; defaults follow from the settings and the scene."""
         state = state_of(self.container.renderer, number)
         result = camera.of_settings(self.settings)
-        result.perspective = float(self.view(number).camera.perspective)
+        result.perspective = self.perspective or float(self.view(number).camera.perspective)
         if "modelRotation" in state:
             result.rotation = np.asarray(state["modelRotation"], float).reshape(3, 3).T
         known = float(state.get("zoom", 0.0)) > 0
@@ -130,7 +131,7 @@ class Studio:
         if "centerPoint" in state and known:
             result.center = np.asarray(state["centerPoint"], float)
         if known:
-            result.zoom = float(state["zoom"])
+            result.zoom, result.aspect = float(state["zoom"]), 0.0
         return result
 
     def tracked(self, number: int = 0) -> tuple[FloatArray | None, FloatArray] | None:

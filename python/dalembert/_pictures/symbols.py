@@ -94,27 +94,44 @@ def marker(pen: Pen, number: int, item: Item) -> None:
 def load(pen: Pen, number: int, item: Item) -> None:
     """An arrow along a force, a turning arrow about a torque; its size is fixed, or in proportion to the load."""
     color = pen.looks.color(item, "loads.defaultColor")
-    marker_number = item["markerNumber"]
-    if (place := pen.places.marker(marker_number)) is None:
+    if (known := load_vector(pen, item)) is None or (pen.looks.forces and is_scaled(item)):
         return
-    vector, turns = _direction(pen, item)
+    place, vector, turns, axes_turn = known
     strength = float(np.linalg.norm(vector))
-    if strength == 0:
-        return
-    if axes_turn := bool(item.get("bodyFixed")):
-        vector = pen.places.marker_rotation(marker_number) @ vector
-    elif (frame := _frame_of_coordinate(pen, item)) is not None:
-        vector, axes_turn = frame @ vector, True
     if pen.looks.setting("loads.fixedLoadSize"):
         size = pen.looks.length("loads.defaultSize", 0.08)
     else:
         size = strength * float(pen.looks.setting("loads.loadSizeFactor"))
     radius = pen.looks.length("loads.defaultRadius", 0.003)
-    pen.stick(*pen.places.seat(marker_number), turns=axes_turn)
+    pen.stick(*pen.places.seat(item["markerNumber"]), turns=axes_turn)
     if turns:
         pen.turning_arrow(place, vector, 0.5 * size, color)
     else:
         pen.arrow(place, size / strength * vector, radius, color)
+
+
+def is_scaled(load: Item) -> bool:
+    """Return whether the arrow of a load can be in proportion to it: its value is known, and it is not weight."""
+    functions = [value for name, value in load.items() if name.endswith("UserFunction")]
+    return load["loadType"] != "MassProportional" and not any(functions)
+
+
+def load_vector(pen: Pen, item: Item) -> tuple[FloatArray, FloatArray, bool, bool] | None:
+    """Return place and global vector of a load, whether it is a torque, and whether its axes rotate with the marker.
+
+    None if it has no place, or if it is zero.
+    """
+    marker_number = item["markerNumber"]
+    if (place := pen.places.marker(marker_number)) is None:
+        return None
+    vector, turns = _direction(pen, item)
+    if not vector.any():
+        return None
+    if axes_turn := bool(item.get("bodyFixed")):
+        vector = pen.places.marker_rotation(marker_number) @ vector
+    elif (frame := _frame_of_coordinate(pen, item)) is not None:
+        vector, axes_turn = frame @ vector, True
+    return place, vector, turns, axes_turn
 
 
 def _frame_of_coordinate(pen: Pen, item: Item) -> FloatArray | None:

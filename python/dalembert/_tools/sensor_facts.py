@@ -54,7 +54,7 @@ def unit_of(mbs: Any, sensor: Mapping[str, Any]) -> str:
         kind = "Object" if kind == "Body" else kind
         item = getattr(mbs, f"Get{kind}")(number)
         name = kind + str(item[f"{kind.lower()}Type"])
-        unit = _load_unit(name) if kind == "Load" else _units(name).get(variable) or _usual_units().get(variable, "")
+        unit = _load_unit(name) if kind == "Load" else _units(name).get(variable) or usual_units().get(variable, "")
     return "" if unit in ("various", "1") else unit
 
 
@@ -66,7 +66,7 @@ def _units(name: str) -> dict[str, str]:
 
 
 @cache
-def _usual_units() -> dict[str, str]:
+def usual_units() -> dict[str, str]:
     """Return units of the variables that have the same in all items, for markers that pass on those of others."""
     found: dict[str, set[str]] = {}
     for name, cls in item_classes().items():
@@ -74,6 +74,17 @@ def _usual_units() -> dict[str, str]:
             for row in _core._outputs_of(cls):
                 found.setdefault(row[0], set()).add(row[2])
     return {variable: units.pop() for variable, units in found.items() if len(units) == 1}
+
+
+@cache
+def unit_on_bodies(variable: str) -> str:
+    """Return the unit of an output variable of nodes and bodies; '' if they do not have the same."""
+    markers = {
+        name for name, cls in item_classes().items() if "markerNumbers" in {r[0] for r in _core._parameters_of(cls)}
+    }
+    names = [name for name in item_classes() if name.startswith(("Node", "Object")) and name not in markers]
+    units = {unit for name in names if (unit := _units(name).get(variable))}
+    return units.pop() if len(units) == 1 and not units & {"various", "1"} else ""
 
 
 def _load_unit(name: str) -> str:

@@ -46,7 +46,8 @@ def CreateBox(
 ) -> ObjectIndex:
     """Add a homogeneous box, a rigid body, and its weight if there is gravity; return the ObjectIndex.
 
-    The size (m) is along x, y and z of the body, whose frame is in the middle of the box.
+    The size (m) is along x, y and z of the body, whose frame is in the middle of the box. Without a color, it
+    has one of eight, by its number.
     """
     if min(size) <= 0:
         raise argument_error("CreateBox", "size", "a vector with 3 components greater than zero", size)
@@ -119,7 +120,16 @@ def _common(arguments: dict[str, Any]) -> dict[str, Any]:
     return {name: arguments[name] for name in _COMMON}
 
 
+# Colors of bodies without a color of their own, by their numbers.
+COLORS = (
+    (0.31, 0.47, 0.65), (0.95, 0.56, 0.17), (0.35, 0.63, 0.31), (0.88, 0.34, 0.35),
+    (0.46, 0.72, 0.70), (0.93, 0.79, 0.28), (0.69, 0.48, 0.63), (0.61, 0.46, 0.37),
+)  # fmt: skip
+
+
 def _add(function: str, mbs: MainSystem, inertia: RigidBodyInertia, **arguments: Any) -> ObjectIndex:
+    if np.array_equal(arguments["color"], DEFAULT_COLOR):
+        arguments["color"] = [*COLORS[mbs.systemData.NumberOfObjects() % len(COLORS)], 1.0]
     try:
         index: ObjectIndex = CreateRigidBody(mbs, inertia=inertia, **arguments)
     except ValueError as error:

@@ -4,7 +4,8 @@ import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
 import { lines, mesh, spheres } from "./shapes.js";
-import { View, element } from "./view.js";
+import { Times } from "./times.js";
+import { MOUSE, View, element } from "./view.js";
 
 const GROUPS = [["n", "nodes"], ["b", "bodies"], ["c", "connectors"], ["m", "markers"], ["l", "loads"], ["s", "sensors"]];
 // Rows are right, up and towards the viewer; the second of each pair is seen from behind.
@@ -13,6 +14,12 @@ const PLANES = {
   4: [[0, 1, 0], [1, 0, 0]], 5: [[0, 0, 1], [1, 0, 0]], 6: [[0, 0, 1], [0, 1, 0]],
 };
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
+const KEYS = [
+  ...MOUSE, ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
+  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R", "forces; frames of nodes"], ["O", "perspective or parallel"],
+  ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
+  [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
+];
 const SENT = 100; // ms between what is told of mouse and view
 
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
@@ -27,8 +34,11 @@ export class Live extends View {
   constructor(place, link, { keys = window, first = () => {} } = {}) {
     super(place);
     Object.assign(this, { link, first, frames: 0, number: -1, steps: [0.1, 5, 1.15] });
-    this.panels = new Panels(place, (kind, words) => this.send(kind, words), (name) => name === "details" && this.pick(null));
-    this.tools();
+    this.panels = new Panels(place, (kind, words) => this.send(kind, words), (name) => {
+      if (name === "details") this.pick(null);
+      if (name === "outputs") this.send("plot", { drop: null });
+    });
+    this.equip();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
     for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event));
@@ -41,8 +51,16 @@ export class Live extends View {
     super.end();
   }
 
-  tools() {
-    const { bar } = this;
+  equip() {
+    const { tools: bar } = this;
+    this.times = new Times(this.timeline, {
+      seek: (time) => this.seek({ time, plays: false }),
+      step: (step) => this.seek({ time: this.now, step, plays: false }),
+      play: (plays) => this.seek({ time: this.back ? this.now : Number(this.times.slider.min), plays }),
+      pace: () => this.back && this.times.playing && this.seek({ time: this.now, plays: true }),
+    });
+    this.times.range(0, 0, "any", 0);
+    this.present = element(this.times.bar, "button", { textContent: "live", title: "back to the present state", onclick: () => this.seek({ time: null }) });
     const button = (text, title, onclick) => element(bar, "button", { textContent: text, title, onclick: () => (onclick(), this.canvas.focus()) });
     this.pause = button("❚❚", "pause or go on (space)", () => this.press(" "));
     button("stop", "stop the solver (Q)", () => this.press("q"));
@@ -55,13 +73,19 @@ export class Live extends View {
     choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
       (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
     choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
-    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`])],
+    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"]],
       (value) => this.press(value[0], value.length > 1));
+    button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
+    button("forces", "forces of loads, joints, connectors and contacts as arrows (F)", () => this.send("forces"));
     button("faces", "faces, transparent faces, edges (T)", () => this.press("t"));
     button("cut", "leave out what is beyond a plane", () => this.panels.cut((plane) => this.cut(...plane), this.extent()));
     button("dark", "dark or light", () => this.dark());
+    button("floor", "floor or none", () => this.ground());
+    button("parallel", "perspective or parallel lines (O)", () => this.parallel());
     button("picture", "save a picture", () => this.save());
+    this.filmed = button("film", "begin or end a film", () => this.shoot());
     button("settings", "visualization settings (V)", () => this.send("settings"));
+    button("?", "mouse and keys (?)", () => this.panels.help(KEYS));
     this.canvas.tabIndex = 0;
     this.notice = element(this.place, "div", { className: "notice", onclick: () => (this.notice.textContent = "") });
   }
@@ -86,13 +110,18 @@ export class Live extends View {
     return [1, 3, 2].map((plane, i) => ({ number: i + 1, camera: { ...now, rotation: rows(plane) }, clip: this.clip ?? [0, 0, 0, 0] }));
   }
 
+  // Look back at a recorded state: {time, step, plays}; time null is the present state.
+  seek(words) {
+    this.send("seek", { speed: this.times.speed, ...words });
+  }
+
   // A solution that the reader looks through, in front of what is live.
   async replay(data) {
     this.close();
     const { head, arrays } = await read(data);
     const place = element(this.place, "div", { className: "page replay" });
     this.motion = new Motion(place, head, arrays);
-    element(this.motion.bar, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
+    element(this.motion.tools, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
   }
 
   close() {
@@ -130,7 +159,11 @@ export class Live extends View {
     if (counts) this.counts = counts;
     if (places) this.write(this.texts, places);
     this.range?.(...head.range);
-    this.words = this.when(head.time);
+    this.now = head.time;
+    this.times.at(head.time);
+    this.panels.mark(head.time);
+    this.measurePace(head.time);
+    this.words = [this.when(head.time), this.pace, this.forces].filter(Boolean).join("\n");
     this.tell(this.distance);
     this.mark();
     this.wish();
@@ -156,6 +189,7 @@ export class Live extends View {
     this.marks = head.marks;
     this.replace([...made.flatMap(([, objects]) => objects), ...balls, ...drawn], head.items);
     this.steps = head.steps;
+    this.forces = head.forces;
     this.dress(head);
     this.contour(head.contour);
     if (String(head.clip) !== String(this.clip)) this.cut(...(this.clip = head.clip));
@@ -166,20 +200,40 @@ export class Live extends View {
     const actions = {
       state: () => {
         this.state.textContent = words.text;
+        this.solves = words.text === "solving";
         this.pause.textContent = words.text && words.text !== "solving" ? "▶" : "❚❚";
       },
+      times: () => this.recorded(words),
       camera: () => this.lead(words.camera),
       views: () => this.split(words.views),
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
-      details: () => this.panels.details(words),
+      details: () => this.picked != null && this.panels.details(words),
+      outputs: () => this.panels.outputs(words.curves),
       settings: () => this.panels.settings(words.rows),
       controls: () => this.panels.controls(words),
       plots: () => this.panels.plot(words.curves),
       motion: () => this.replay(words.data),
     };
     actions[words.kind]?.();
+  }
+
+  // Simulated time per time, over a second each, while a solver is watched.
+  measurePace(time) {
+    const now = performance.now() / 1000, [then, before] = this.began ?? [now, time];
+    if (!this.solves || this.back || time < before) this.pace = this.began = null;
+    else if (now - then > 1) (this.pace = `${((time - before) / (now - then)).toPrecision(2)} x real time`), (this.began = [now, time]);
+    else this.began ??= [now, time];
+  }
+
+  // Which times can be looked back to, and whether readers do.
+  recorded({ first, last, count, back, plays }) {
+    this.back = back;
+    this.times.range(first, last, "any", count);
+    this.times.at(this.now);
+    this.times.plays(plays);
+    this.present.disabled = !back;
   }
 
   // Look as the viewer says; it need not be told.
@@ -247,6 +301,10 @@ export class Live extends View {
   // Keys that move the view; true if this was one.
   moveBy(key, { code, ctrlKey: control, altKey: alt, shiftKey: shift }) {
     const small = control ? 0.1 : 1, [shiftStep, turn, zoom] = this.steps, digit = /^Digit([1-6])$/.exec(code)?.[1];
+    if (key === "?") return this.panels.help(KEYS), true;
+    if (/^o$/i.test(key) && !control) return this.parallel(), true;
+    if (/^f$/i.test(key) && !control) return this.send("forces"), true;
+    if (key === "[" || key === "]") return this.seek({ time: this.now, step: key === "]" ? 1 : -1 }), true;
     if (digit && (control || alt)) return this.plane(digit, shift), true;
     const move = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[key];
     if (move && !code.startsWith("Numpad")) return this.shift(move.map((part) => part * shiftStep * small)), true;

@@ -1,7 +1,9 @@
 // The page of a motion: play and scrub.
 import { frame } from "./data.js";
 import { lines, mesh, spheres } from "./shapes.js";
-import { View, element } from "./view.js";
+import { Panels } from "./panels.js";
+import { Times } from "./times.js";
+import { MOUSE, View, element } from "./view.js";
 
 // The numbers of all places in one frame, out of arrays that have all frames of one place each.
 function gathered(places, size, arrays, target) {
@@ -47,19 +49,27 @@ function curves(entries, arrays) {
   }];
 }
 
+const KEYS = [
+  ...MOUSE, ["space", "play or pause"], ["← →, [ ]", "a frame back or forward; with shift ten"], ["home, end", "first and last frame"],
+  ["a", "first view"], ["o", "perspective or parallel"], ["e", "edges"], ["d", "dark or light"], ["?", "this help"],
+];
+
+const SAMPLES = 8; // of a motion, for its floor
+
 export class Motion extends View {
   constructor(place, head, arrays) {
     super(place);
-    Object.assign(this, { head, frame: 0, playing: head.plays, speed: 1, since: 0 });
+    Object.assign(this, { head, frame: 0, playing: head.plays, since: 0 });
+    this.panels = new Panels(place);
     const parts = [...head.meshes.map((entry) => moving(entry, arrays)), balls(head.spheres, arrays, this.drawnBy), curves(head.lines, arrays)];
     this.movers = [...parts.map(([, go]) => go), this.writing(head.labels, arrays)];
     this.replace(parts.flatMap(([made]) => made), head.items);
     this.dress(head);
     this.cut(...head.clip);
     this.contour(head.contour, head.contour?.range);
-    this.tools();
+    this.equip();
     this.look(head.camera);
-    this.show(0);
+    for (let k = SAMPLES; k >= 0; --k) this.show(Math.floor((k / SAMPLES) * (head.times.length - 1))), this.lay(); // the floor is below all of the motion
     this.pressed = (event) => this.key(event);
     window.addEventListener("keydown", this.pressed);
   }
@@ -75,33 +85,48 @@ export class Motion extends View {
     return (number) => this.write(texts, frame(arrays[frames], places.length, number, places));
   }
 
-  tools() {
-    const { head, bar } = this, many = head.times.length > 1;
-    this.button = element(bar, "button", { title: "play or pause (space)", onclick: () => this.play(!this.playing), hidden: !many });
-    this.slider = element(bar, "input", { type: "range", min: 0, max: head.times.length - 1, value: 0, hidden: !many });
-    this.slider.oninput = () => (this.play(false), this.show(Number(this.slider.value)));
-    const speeds = element(bar, "select", { title: "speed", hidden: !many });
-    for (const speed of [0.1, 0.25, 0.5, 1, 2, 4]) element(speeds, "option", { value: speed, textContent: `${speed} x`, selected: speed === 1 });
-    speeds.onchange = () => (this.speed = Number(speeds.value));
+  equip() {
+    const { head, tools: bar } = this, count = head.times.length;
+    const seek = (number) => (this.play(false), this.show(number)), play = (flag) => this.play(flag);
+    this.times = new Times(this.timeline, { seek, step: (step) => this.go(step), play, pace: () => (this.since = 0) });
+    this.times.range(0, count - 1, 1, count);
     element(bar, "button", { textContent: "view", title: "back to the first view (a)", onclick: () => this.look(head.camera) });
+    element(bar, "button", { textContent: "items", title: "list of items: search, hide, isolate", onclick: () => this.panels.items(this) });
     element(bar, "button", { textContent: "edges", title: "show edges (e)", onclick: () => this.edges() });
     element(bar, "button", { textContent: "dark", title: "dark or light (d)", onclick: () => this.dark() });
+    element(bar, "button", { textContent: "floor", title: "floor or none", onclick: () => this.ground() });
+    element(bar, "button", { textContent: "parallel", title: "perspective or parallel lines (o)", onclick: () => this.parallel() });
     element(bar, "button", { textContent: "picture", title: "save a picture", onclick: () => this.save() });
+    this.filmed = element(bar, "button", { textContent: "film", title: "save a film of the motion", onclick: () => this.shoot(), hidden: count < 2 });
+    element(bar, "button", { textContent: "?", title: "mouse and keys (?)", onclick: () => this.panels.help(KEYS) });
     this.play(this.playing);
+  }
+
+  // The film is of the motion from the beginning to the end.
+  shoot() {
+    super.shoot();
+    this.show(0);
+    this.play(!!this.film);
   }
 
   play(flag) {
     const last = this.head.times.length - 1;
     this.playing = flag && last > 0;
     if (this.playing && this.frame === last) this.frame = 0;
-    this.button.textContent = this.playing ? "❚❚" : "▶";
+    this.times.plays(this.playing);
     this.since = 0;
+  }
+
+  // So many frames further.
+  go(step) {
+    this.play(false);
+    this.show(Math.min(Math.max(this.frame + step, 0), this.head.times.length - 1));
   }
 
   show(number) {
     this.frame = number;
     for (const go of this.movers) go(number);
-    this.slider.value = number;
+    this.times.at(number);
     this.words = this.head.captions?.[number] ?? this.when(number);
     this.tell(this.distance);
     this.mark();
@@ -116,24 +141,29 @@ export class Motion extends View {
     const last = this.head.times.length - 1, step = event.shiftKey ? 10 : 1;
     const actions = {
       " ": () => this.play(!this.playing),
-      ArrowRight: () => (this.play(false), this.show(Math.min(this.frame + step, last))),
-      ArrowLeft: () => (this.play(false), this.show(Math.max(this.frame - step, 0))),
+      ArrowRight: () => this.go(step),
+      ArrowLeft: () => this.go(-step),
+      "]": () => this.go(1),
+      "[": () => this.go(-1),
       Home: () => this.show(0),
       End: () => this.show(last),
       a: () => this.look(this.head.camera),
+      o: () => this.parallel(),
+      "?": () => this.panels.help(KEYS),
       e: () => this.edges(),
       d: () => this.dark(),
     };
-    if (!actions[event.key] || event.ctrlKey || event.metaKey) return;
+    if (!actions[event.key] || event.ctrlKey || event.metaKey || event.target.type === "text") return;
     event.preventDefault();
     actions[event.key]();
   }
 
   step(now) {
     if (!this.playing) return;
-    if (!this.since) this.since = now - (this.frame / this.head.rate / this.speed) * 1000;
-    const number = Math.floor(((now - this.since) / 1000) * this.head.rate * this.speed);
-    if (number >= this.head.times.length) this.head.again ? ((this.since = now), this.show(0)) : this.play(false);
+    if (!this.since) this.since = now - (this.frame / this.head.rate / this.times.speed) * 1000;
+    const number = Math.floor(((now - this.since) / 1000) * this.head.rate * this.times.speed);
+    if (number >= this.head.times.length && this.film) this.shoot();
+    else if (number >= this.head.times.length) this.head.again ? ((this.since = now), this.show(0)) : this.play(false);
     else if (number !== this.frame) this.show(Math.max(number, 0));
   }
 }

@@ -1,7 +1,7 @@
 // Other views of the same scene, in small windows at the right edge of the main one: each is turned, moved and zoomed by itself.
 import { PerspectiveCamera, Vector2 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { FIELD, element, look, looking, planes } from "./view.js";
+import { element, look, looking, planes, reach } from "./view.js";
 
 export class Pane {
   // `number` is that of the view, from 1 to 3; `clip` a plane that cuts the scene in this view, as cut() of views takes it.
@@ -11,9 +11,9 @@ export class Pane {
     this.clip = planes(...clip);
     this.window = element(view.place, "div", { className: "pane", tabIndex: 0, title: `view ${number}` });
     this.window.style.top = `${4 + 29 * (number - 1)}%`;
-    this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
+    this.camera = new PerspectiveCamera(view.camera.fov, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, this.window);
-    this.controls.addEventListener("change", () => ((this.turned ||= !this.led), view.wish()));
+    this.controls.addEventListener("change", () => (reach(this.camera, this.controls), (this.turned ||= !this.led), view.wish()));
     this.window.addEventListener("pointermove", (event) => view.point(event, this));
     this.window.addEventListener("pointerdown", (event) => (view.down = [event.clientX, event.clientY]));
     this.window.addEventListener("pointerup", (event) => view.isClick(event) && view.click(event, this));

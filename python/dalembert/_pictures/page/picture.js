@@ -1,9 +1,39 @@
 // The picture of a view that is saved: what is drawn, and the texts, the bar of colors and the frames of other views in front of it.
 const SHOWN = ".pane, .axes, .contour span, .time, .labels span, .contour div, .contour i";
 
-export function flat(place, canvas) {
-  const { left, top, width } = canvas.getBoundingClientRect(), fine = canvas.width / width;
-  const made = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height }), pen = made.getContext("2d");
+const RATE = 30; // pictures of a film per second, at most
+const BITS = 8e6; // per second of a film
+const FILMS = ["video/mp4", "video/webm"]; // the first that the browser can make
+
+export function download(href, name) {
+  Object.assign(document.createElement("a"), { href, download: name }).click();
+}
+
+// A film of a view, in real time.
+export class Film {
+  constructor(place, canvas) {
+    Object.assign(this, { place, canvas, made: document.createElement("canvas"), parts: [] });
+    this.add();
+    this.type = FILMS.find((type) => MediaRecorder.isTypeSupported(type));
+    this.recorder = new MediaRecorder(this.made.captureStream(RATE), { mimeType: this.type, videoBitsPerSecond: BITS });
+    this.recorder.ondataavailable = ({ data }) => this.parts.push(data);
+    this.recorder.onstop = () => download(URL.createObjectURL(new Blob(this.parts, { type: this.type })), `film.${this.type.slice(6)}`);
+    this.recorder.start();
+  }
+
+  add() {
+    flat(this.place, this.canvas, this.made);
+  }
+
+  end() {
+    this.recorder.stop();
+  }
+}
+
+export function flat(place, canvas, made = document.createElement("canvas")) {
+  const { left, top, width } = canvas.getBoundingClientRect(), fine = canvas.width / width, pen = made.getContext("2d");
+  if (made.width !== canvas.width || made.height !== canvas.height) Object.assign(made, { width: canvas.width, height: canvas.height });
+  pen.resetTransform();
   pen.drawImage(canvas, 0, 0);
   pen.scale(fine, fine);
   pen.translate(-left, -top);

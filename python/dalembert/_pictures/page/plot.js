@@ -47,7 +47,7 @@ export class Plot {
     this.draw();
   }
 
-  // {title, xLabel, yLabel, logx, logy, marks, curves: [{name, x, y}]}; numbers may be null.
+  // {title, xLabel, yLabel, logx, logy, marks, now, curves: [{name, x, y}]}; numbers may be null; `now` is a place to mark.
   set(data) {
     this.data = data;
     this.draw();
@@ -109,6 +109,8 @@ export class Plot {
     pen.rect(LEFT, TOP, width - LEFT - RIGHT, height - TOP - BOTTOM);
     pen.clip();
     this.drawn = curves.map(({ x, y }, k) => this.curve(pen, x, y, COLORS[k % COLORS.length], across, down));
+    pen.fillStyle = getComputedStyle(this.canvas).color;
+    if (data.now != null) pen.fillRect(across(data.now), TOP, 1, height - TOP - BOTTOM);
     pen.restore();
     this.legend(pen);
     this.hint(pen);

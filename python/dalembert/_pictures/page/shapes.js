@@ -1,7 +1,7 @@
 // What is drawn, as objects of three.js; object.userData.put(numbers) brings them to where they are now.
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-  MeshStandardMaterial, SphereGeometry,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial,
+  LineSegments, Matrix4, Mesh, MeshDepthMaterial, MeshStandardMaterial, RGBADepthPacking, SphereGeometry,
 } from "three";
 
 const SPOTS = new Color();
@@ -11,7 +11,38 @@ function material(color, colored, flat) {
   const made = new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05, side: DoubleSide, flatShading: flat, vertexColors: colored });
   made.color.setRGB(red, green, blue, "srgb");
   if (alpha < 1) Object.assign(made, { transparent: true, opacity: alpha, depthWrite: false });
+  made.onBeforeCompile = veiled;
   return made;
+}
+
+// The opacity of each item, an attribute, on top of that of the material; what has none is not drawn.
+function veiled(shader) {
+  const after = (name, code) => [`#include <${name}>`, `#include <${name}>\n${code}`];
+  shader.vertexShader = shader.vertexShader
+    .replace(...after("common", "attribute float veil; varying float seen;"))
+    .replace(...after("begin_vertex", "seen = veil;"));
+  shader.fragmentShader = shader.fragmentShader
+    .replace(...after("common", "varying float seen;"))
+    .replace(...after("clipping_planes_fragment", "if (seen < 0.004) discard;"))
+    .replace(...after("color_fragment", "diffuseColor.a *= seen;"));
+}
+
+const SHADE = new MeshDepthMaterial({ depthPacking: RGBADepthPacking }); // of what casts a shadow
+SHADE.onBeforeCompile = veiled;
+
+// Give a mesh userData.reveal(opacity of the item with a number), for all its instances, or for the points of its only item.
+function veil(made, items, rims = []) {
+  const single = !made.isInstancedMesh, count = single ? made.geometry.getAttribute("position").count : items.length;
+  const Attribute = single ? BufferAttribute : InstancedBufferAttribute, seen = new Attribute(new Float32Array(count).fill(1), 1);
+  made.geometry.setAttribute("veil", seen);
+  Object.assign(made, { castShadow: true, customDepthMaterial: SHADE });
+  made.userData.reveal = (opacity) => {
+    const parts = items.map(opacity);
+    single ? seen.array.fill(parts[0]) : seen.array.set(parts);
+    seen.needsUpdate = true;
+    made.userData.veiled = parts.some((part) => part > 0 && part < 1);
+    rims.forEach((rim, i) => (rim.userData.hidden = !parts[i]));
+  };
 }
 
 // Bytes as three.js computes with them; `stride` bytes for each color.
@@ -42,7 +73,7 @@ function edges(entry, arrays, position) {
   made.setIndex(new BufferAttribute(arrays[entry.edges], 1));
   const rims = new LineSegments(made, new LineBasicMaterial({ color: 0x202020, transparent: true, opacity: 0.7 }));
   rims.visible = entry.marked;
-  rims.userData.edges = !entry.marked;
+  rims.userData = { rim: true, marked: entry.marked };
   rims.frustumCulled = false;
   rims.raycast = () => {};
   return rims;
@@ -77,6 +108,7 @@ function rigid(entry, arrays) {
       made.boundingSphere = null;
     },
   };
+  veil(made, entry.items, rims);
   return [made, ...rims];
 }
 
@@ -102,14 +134,16 @@ function deformed(entry, arrays) {
       shape.boundingSphere = null;
     },
   };
-  return [made, edges(entry, arrays, position)];
+  const rims = edges(entry, arrays, position);
+  veil(made, entry.items, [rims]);
+  return [made, rims];
 }
 
 // Parts of the circles of spheres, of which there are so many: they may have so many triangles together.
 const TRIANGLES = { graphics: 6e6, processor: 3e5 };
 
 export function parts(count, drawnBy) {
-  return Math.min(Math.max(Math.round(Math.sqrt(TRIANGLES[drawnBy] / 2 / count)), 4), 24);
+  return Math.min(Math.max(Math.round(Math.sqrt(TRIANGLES[drawnBy] / 2 / count)), 4), 48);
 }
 
 // Each is four numbers: center and radius.
@@ -132,6 +166,7 @@ export function spheres(entry, arrays, drawnBy) {
       made.boundingSphere = null;
     },
   };
+  veil(made, entry.items);
   return [made];
 }
 
@@ -142,12 +177,16 @@ export function lines(colors, items) {
   const made = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
   made.frustumCulled = false;
   made.raycast = () => {};
-  let room = 0, dark = false, last = null;
+  let room = 0, dark = false, last = null, hidden = [];
   made.userData = {
     items,
     paint(isDark) {
       if (dark === isDark) return;
       dark = isDark;
+      if (last) made.userData.put(...last);
+    },
+    reveal(opacity) {
+      hidden = items.map((item) => !opacity(item));
       if (last) made.userData.put(...last);
     },
     put(points, counts) {
@@ -157,10 +196,12 @@ export function lines(colors, items) {
         room = Math.max(needed, 2 * room);
         for (const name of ["position", "color"]) shape.setAttribute(name, new BufferAttribute(new Float32Array(3 * room), 3));
       }
-      shape.setDrawRange(0, needed);
+      shape.setDrawRange(0, 0);
       if (!needed) return;
       const position = shape.getAttribute("position"), shade = shape.getAttribute("color");
-      for (let line = 0, from = 0, to = 0; line < counts.length; ++line) {
+      let to = 0;
+      for (let line = 0, from = 0; line < counts.length; from += 3 * counts[line++]) {
+        if (hidden[line]) continue;
         const [red, green, blue] = dark && !Math.max(...colors[line]) ? BRIGHT : colors[line];
         SPOTS.setRGB(red / 255, green / 255, blue / 255, "srgb");
         for (let i = 0; i + 1 < counts[line]; ++i, to += 6) {
@@ -168,8 +209,8 @@ export function lines(colors, items) {
           SPOTS.toArray(shade.array, to);
           SPOTS.toArray(shade.array, to + 3);
         }
-        from += 3 * counts[line];
       }
+      shape.setDrawRange(0, to / 3);
       position.needsUpdate = shade.needsUpdate = true;
     },
   };

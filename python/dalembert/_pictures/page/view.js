@@ -6,29 +6,45 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
-import { flat } from "./picture.js";
+import { Floor, around } from "./floor.js";
+import { Film, download, flat } from "./picture.js";
 
 export const FIELD = 30; // degrees, of the camera
-const HALF = Math.tan((FIELD / 2) * (Math.PI / 180));
+const PARALLEL = 1; // degrees, of one that is so far away that lines look parallel
+const DEPTH = 180; // heights that are seen before and behind the middle
 const ROUND_OFF = 1e-6; // of a distance, in its components
+const NARROW = 640; // pixels of a page on which all panels are in one column
+const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
+
+export const MOUSE = [
+  ["left, right button", "rotate, move"], ["wheel", "zoom"], ["click", "select an item"], ["shift and two clicks", "measure a distance"],
+];
 
 export function element(parent, tag, properties = {}) {
   return parent.appendChild(Object.assign(document.createElement(tag), properties));
 }
 
+const half = ({ fov }) => Math.tan((fov / 2) * (Math.PI / 180));
+
+// What is drawn lies between two distances from the camera.
+export function reach(camera, controls) {
+  const distance = camera.position.distanceTo(controls.target), zoom = distance * half(camera);
+  Object.assign(camera, { near: Math.max(distance / 200, distance - DEPTH * zoom), far: distance + DEPTH * zoom });
+  camera.updateProjectionMatrix();
+}
+
 // The rows of the rotation are right, up and towards the viewer; zoom is half the height that is seen.
 export function look(camera, controls, { rotation, center, zoom }) {
-  const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / HALF;
+  const towards = new Vector3(...rotation.slice(6, 9)), middle = new Vector3(...center), distance = zoom / half(camera);
   const up = rotation.slice(3, 6), main = up.map(Math.abs).indexOf(Math.max(...up.map(Math.abs)));
   const upright = Math.abs(rotation[main]) < 1e-6; // it stays so when it is turned by mouse
   camera.up.set(...(upright ? up.map((part, i) => (i === main ? Math.sign(part) : 0)) : up));
   controls._quat?.setFromUnitVectors(camera.up, new Vector3(0, 1, 0)); // three.js looks at `up` once only
   controls._quatInverse?.copy(controls._quat).invert();
   camera.position.copy(middle).addScaledVector(towards, distance);
-  Object.assign(camera, { near: distance / 200, far: distance * 50 });
-  camera.updateProjectionMatrix();
   controls.target.copy(middle);
+  reach(camera, controls);
   controls.update();
 }
 
@@ -37,7 +53,7 @@ export function looking(camera, controls) {
   camera.updateMatrixWorld();
   const right = new Vector3(), up = new Vector3(), towards = new Vector3();
   camera.matrixWorld.extractBasis(right, up, towards);
-  const zoom = camera.position.distanceTo(controls.target) * HALF;
+  const zoom = camera.position.distanceTo(controls.target) * half(camera);
   return { rotation: [...right, ...up, ...towards], center: [...controls.target], zoom };
 }
 
@@ -56,7 +72,7 @@ function drawnBy(gl) {
 
 export class View {
   constructor(place) {
-    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [] });
+    Object.assign(this, { place, objects: [], items: [], marks: true, drawn: 0, background: [1, 1, 1], picked: null, ends: [], panes: [], opacities: new Map() });
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.drawnBy = drawnBy(this.renderer.getContext());
@@ -65,16 +81,19 @@ export class View {
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 1000);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener("change", () => this.wish());
+    this.controls.addEventListener("change", () => (reach(this.camera, this.controls), this.wish()));
+    this.renderer.shadowMap.enabled = this.drawnBy === "graphics"; // a processor would take too long
     this.light();
     this.axes = axes(place);
     this.labels = element(place, "div", { className: "labels" });
     this.hint = element(place, "div", { className: "hint" });
     this.time = element(place, "div", { className: "time" });
     this.bar = element(place, "div", { className: "bar" });
+    this.timeline = element(this.bar, "div", { className: "times", hidden: true });
+    this.tools = element(this.bar, "div", { className: "tools" });
     this.scale = element(place, "div", { className: "contour" });
     this.watcher = new ResizeObserver(() => this.resize());
-    this.watcher.observe(place);
+    for (const watched of [place, this.bar]) this.watcher.observe(watched);
     this.paint();
     this.resize();
     this.canvas.addEventListener("pointermove", (event) => this.point(event));
@@ -107,8 +126,44 @@ export class View {
     this.items = items;
     this.scene.add(...objects);
     for (const object of objects) if (object.isMesh) object.userData.own = { opacity: object.material.opacity, clear: object.material.transparent };
-    this.mark();
+    this.reveal();
+    this.list();
+    this.lay();
+  }
+
+  // Put a floor below everything, if readers want one; it is put lower where something falls below it.
+  lay() {
+    const box = around(this.objects);
+    if (this.floor && this.upwards === this.floor.up && !this.floor.pierced(box) && !this.bare) return;
+    if (this.floor) this.scene.remove(this.floor.object), this.floor.end();
+    const far = this.floor && this.upwards === this.floor.up ? this.floor.box : box;
+    this.floor = this.bare || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
+    if (this.floor) this.scene.add(Object.assign(this.floor, { box: far }).object);
     this.wish();
+  }
+
+  // Opacity of the item with a number, 0 if it is hidden; weight is, until readers show it.
+  opacity(number) {
+    const item = this.items[number];
+    return this.opacities.get(JSON.stringify(item)) ?? (item?.[2] === "MassProportional" ? 0 : 1);
+  }
+
+  // Show, hide or veil items.
+  veil(numbers, opacity) {
+    for (const number of numbers) this.opacities.set(JSON.stringify(this.items[number]), opacity);
+    this.reveal();
+  }
+
+  reveal() {
+    for (const object of this.objects) object.userData.reveal?.((number) => this.opacity(number));
+    this.fade(this.faded ?? 1);
+    this.showEdges();
+    this.mark();
+  }
+
+  // The panel of all items, if it is open.
+  list() {
+    if (this.panels?.open.items) this.panels.items(this);
   }
 
   paint(background) {
@@ -120,15 +175,29 @@ export class View {
   }
 
   // As settings say.
-  dress({ background, edges, faces, transparent }) {
+  dress({ background, edges, faces, transparent, upwards }) {
+    this.upwards = upwards;
+    this.lay();
     this.paint(background);
     this.allEdges = edges;
     this.showEdges();
     this.fade(faces ? transparent : 0);
   }
 
-  look(seen) {
-    look(this.camera, this.controls, seen);
+  // A camera that was fitted to a wider window looks from farther away.
+  look({ aspect = 0, ...seen }) {
+    look(this.camera, this.controls, { ...seen, zoom: seen.zoom * Math.max(aspect / this.camera.aspect, 1) });
+    this.wish();
+  }
+
+  // Perspective, or lines that stay parallel.
+  parallel() {
+    const field = this.camera.fov === FIELD ? PARALLEL : FIELD;
+    for (const { camera, controls } of [this, ...this.panes]) {
+      const seen = looking(camera, controls);
+      camera.fov = field;
+      look(camera, controls, seen);
+    }
     this.wish();
   }
 
@@ -163,15 +232,19 @@ export class View {
   }
 
   showEdges() {
-    for (const object of this.objects) if (object.userData.edges) object.visible = !!this.allEdges;
+    for (const object of this.objects) {
+      const { rim, marked, hidden } = object.userData;
+      if (rim) object.visible = (marked || !!this.allEdges) && !hidden;
+    }
     this.wish();
   }
 
   // How clear faces are, on top of their own colors; 0 hides them.
   fade(part) {
+    this.faded = part;
     for (const object of this.objects) {
       if (!object.isMesh) continue;
-      const { opacity, clear } = object.userData.own;
+      const { own: { opacity, clear: own }, veiled } = object.userData, clear = own || veiled;
       Object.assign(object.material, { opacity: opacity * part, transparent: clear || part < 1, depthWrite: part === 1 && !clear, visible: part > 0 });
       object.material.needsUpdate = true;
     }
@@ -190,8 +263,15 @@ export class View {
 
   save() {
     this.render();
-    const href = flat(this.place, this.canvas).toDataURL();
-    Object.assign(document.createElement("a"), { href, download: "picture.png" }).click();
+    download(flat(this.place, this.canvas).toDataURL(), "picture.png");
+  }
+
+  // Begin a film of what is drawn, or end it and save it.
+  shoot() {
+    if (this.film) this.film = this.film.end();
+    else this.film = new Film(this.place, this.canvas);
+    this.filmed?.classList.toggle("on", !!this.film);
+    this.wish();
   }
 
   // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
@@ -200,10 +280,10 @@ export class View {
     ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
     const cuts = pane ? pane.clip : this.renderer.clippingPlanes;
     const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
-    const found = hits.find(({ point }) => cuts.every((plane) => plane.distanceToPoint(point) >= 0));
+    const item = ({ object, instanceId }) => object.userData.items[instanceId ?? 0];
+    const found = hits.find((hit) => this.opacity(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
     if (!found) return null;
-    const { object, instanceId, point, distance } = found;
-    return { number: object.userData.items[instanceId ?? 0], point, distance };
+    return { number: item(found), point: found.point, distance: found.distance };
   }
 
   itemAt(x, y, pane) {
@@ -218,11 +298,26 @@ export class View {
     return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
   }
 
+  // With a floor, or without.
+  ground() {
+    this.bare = !this.bare;
+    this.lay();
+  }
+
+  // What is below the mouse, and where that point is.
   point(event, pane) {
     if (event.buttons) return;
-    const item = this.itemAt(event.clientX, event.clientY, pane), box = this.place.getBoundingClientRect();
-    this.hint.textContent = item ? `${item[0].toLowerCase()} ${item[1]}: ${item[3]} (${item[0]}${item[2]})` : "";
-    this.hint.style.transform = `translate(${event.clientX - box.left + 14}px, ${event.clientY - box.top + 10}px)`;
+    const hit = this.hit(event.clientX, event.clientY, pane), box = this.place.getBoundingClientRect();
+    const [kind, number, type, name] = hit ? this.items[hit.number] : [];
+    this.hint.textContent = hit ? `${kind.toLowerCase()} ${number}: ${name} (${kind}${type})\n${this.coordinates(hit.point)}` : "";
+    const x = Math.min(event.clientX - box.left + 14, box.width - this.hint.offsetWidth - 2);
+    this.hint.style.transform = `translate(${x}px, ${event.clientY - box.top + 10}px)`;
+  }
+
+  // As many digits as a pixel is worth.
+  coordinates(point) {
+    const pixel = (2 * this.looking().zoom) / this.canvas.clientHeight, digits = Math.min(Math.max(Math.ceil(-Math.log10(pixel)), 0), 12);
+    return `(${[...point].map((part) => part.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")).join(", ")}) m`;
   }
 
   isClick(event) {
@@ -246,21 +341,34 @@ export class View {
   mark() {
     if (this.box) this.scene.remove(this.box);
     this.box = null;
-    if (this.picked == null || !this.marks) return;
+    this.wish();
+    if (this.picked == null || !this.marks || !this.opacity(this.picked)) return;
+    const around = this.around(this.picked);
+    if (around.isEmpty()) return;
+    this.box = new Box3Helper(around, 0xcc0d0d);
+    this.scene.add(this.box);
+  }
+
+  // The smallest box around an item.
+  around(number) {
     const around = new Box3(), part = new Box3(), matrix = new Matrix4();
     for (const object of this.objects) {
       if (!object.isMesh) continue;
       object.userData.items.forEach((item, i) => {
-        if (item !== this.picked) return;
+        if (item !== number) return;
         if (!object.geometry.boundingBox || object.userData.deforms) object.geometry.computeBoundingBox();
         part.copy(object.geometry.boundingBox);
         if (object.isInstancedMesh) object.getMatrixAt(i, matrix), part.applyMatrix4(matrix);
         around.union(part);
       });
     }
-    if (around.isEmpty()) return;
-    this.box = new Box3Helper(around, 0xcc0d0d);
-    this.scene.add(this.box);
+    return around;
+  }
+
+  // Let an item fill half of the view.
+  approach(number) {
+    const around = this.around(number), size = around.getSize(new Vector3()).length();
+    if (size) this.look({ ...this.looking(), center: [...around.getCenter(new Vector3())], zoom: size });
   }
 
   measure(hit) {
@@ -313,6 +421,8 @@ export class View {
   resize() {
     const { clientWidth: width, clientHeight: height } = this.place;
     if (!width || !height) return;
+    this.place.classList.toggle("narrow", width <= NARROW);
+    this.place.style.setProperty("--bar", `${this.bar.offsetHeight}px`);
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -331,6 +441,8 @@ export class View {
     this.watcher.disconnect();
     this.controls.dispose();
     for (const pane of this.panes) pane.end();
+    this.floor?.end();
+    this.bare = true;
     this.replace([], []);
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -344,6 +456,7 @@ export class View {
     this.wanted = false;
     this.render();
     this.drawn += 1;
+    if (this.drawn % AGAIN === 0) this.lay();
   }
 
   render() {
@@ -351,5 +464,6 @@ export class View {
     for (const pane of this.panes) pane.render();
     this.axes(this.camera);
     this.placeLabels();
+    this.film?.add();
   }
 }
