@@ -1,8 +1,7 @@
 """A flexible arm from a finite element mesh: meshed, reduced to few modes, and moved by a motor.
 
 The mesh has quadratic tetrahedra and tapers towards its end, where a mass is attached. Static modes of both ends and
-six eigenmodes replace 5145 coordinates; deflections and stresses are available for every
-node.
+six eigenmodes replace 5145 coordinates; deflections and stresses are available for every node.
 """
 
 import matplotlib.pyplot as plt
@@ -15,7 +14,7 @@ import dalembert as db
 from dalembert.FEM import FEMinterface, HCBstaticModeSelection, KirchhoffMaterial
 from dalembert.utilities import SmoothStep
 
-length, rootHeight, tipHeight, width = 0.8, 0.06, 0.03, 0.02  # m
+length, root_height, tip_height, width = 0.8, 0.06, 0.03, 0.02  # m
 aluminium = KirchhoffMaterial(youngsModulus=7e10, poissonsRatio=0.33, density=2700)
 payload = 1.5  # kg
 
@@ -23,7 +22,7 @@ payload = 1.5  # kg
 grid = [np.linspace(0, length, 25), np.linspace(-0.5, 0.5, 4), np.linspace(-width / 2, width / 2, 3)]
 mesh = to_meshio(skfem.MeshTet2.from_mesh(skfem.MeshTet.init_tensor(*grid)))
 along = mesh.points[:, 0] / length
-mesh.points[:, 1] *= rootHeight + (tipHeight - rootHeight) * along
+mesh.points[:, 1] *= root_height + (tip_height - root_height) * along
 
 fem = FEMinterface()
 fem.ImportFromMeshio(mesh)  # or the name of a file
@@ -56,7 +55,7 @@ hand = model.add(db.MarkerBodyPosition(bodyNumber=mass))
 model.add(db.ObjectJointSpherical(markerNumbers=[arm["arm:hand"], hand]))
 
 tip = fem.GetNodeAtPoint([length, 0, 0], tolerance=0.01)
-root = fem.GetNodeAtPoint([0.1 * length, 0.5 * (0.9 * rootHeight + 0.1 * tipHeight), 0], tolerance=0.01)
+root = fem.GetNodeAtPoint([0.1 * length, 0.5 * (0.9 * root_height + 0.1 * tip_height), 0], tolerance=0.01)
 deflection = model.create_sensor(body, "displacement_local", mesh_node=tip, name="deflection of the hand")
 stress = model.create_sensor(body, "stress_local", mesh_node=root, name="stress near the hub")
 
@@ -65,7 +64,7 @@ settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
 solution = model.solve(end_time=0.6, step_size=5e-4, every=1e-3, settings=settings)
 
 # results, compared with those of the whole mesh
-section = 0.5 * (rootHeight + tipHeight) * width
+section = 0.5 * (root_height + tip_height) * width
 print(f"mass of the arm: {fem.GetRigidBodyInertia().mass:.4f} kg, of a tapered bar {2700 * section * length:.4f} kg")
 
 modes = fem.modeBasis["matrix"]

@@ -1,10 +1,8 @@
 """A belt drive: the driven pulley turns a little slower than the driving one, because of the strain of the belt.
 
-The belt consists of axially moving cables: the material runs through fixed elements. The belt sticks to a pulley
-where it
-enters, and slides only on the last part of the arc, where its tension changes from that of one side to that of the
-other.
-The ratio of the speeds is (1 + T2/EA) / (1 + T1/EA) (O. Reynolds), independently of friction.
+The belt consists of axially moving cables: the material runs through fixed elements. The belt sticks to a pulley where
+it enters, and slides only on the last part of the arc, where its tension changes from that of one side to that of the
+other. The ratio of the speeds is (1 + T2/EA) / (1 + T1/EA) (O. Reynolds), independently of friction.
 """
 
 import matplotlib.pyplot as plt

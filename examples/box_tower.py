@@ -1,8 +1,8 @@
 """A ball hits a tower of ten boxes: general contact of convex shapes with each other, with a sphere and a plane.
 
 Static friction holds the tower while it stands. Every box rests on one contact stiffness, for any number of corners:
-the lowest one penetrates by the total weight divided
-by the stiffness. All boxes finally lie on the ground, which carries their weight.
+the lowest one penetrates by the total weight divided by the stiffness. All boxes finally lie on the ground, which
+carries their weight.
 """
 
 import numpy as np

@@ -1,9 +1,8 @@
 """A cabin is clipped to a hauling rope, which runs at a constant speed over its span and carries it along.
 
 The rope consists of cable elements through which the material moves; one coordinate is its displacement. The cabin
-hangs
-on a joint that moves with the material. The sag of a rope with tension T in the middle of the span is F L / (4 T) under
-the weight F of the cabin, and m g L^2 / (8 T) under its own weight.
+hangs on a joint that moves with the material. The sag of a rope with tension T in the middle of the span is F L / (4 T)
+under the weight F of the cabin, and m g L^2 / (8 T) under its own weight.
 """
 
 import numpy as np

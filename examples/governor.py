@@ -1,9 +1,8 @@
 """A centrifugal governor of Watt and Porter: the sleeve on its spindle rises with the speed.
 
-Two arms with balls hang on the spindle; links lift the sleeve, whose weight increases the required speed. The height
-of the
-cone of the arms is (1 + M / m) g / w^2, with the masses M of the sleeve and m of a ball, independently of the length
-of the arms.
+Two arms with balls hang on the spindle; links lift the sleeve, whose weight increases the required speed. The height of
+the cone of the arms is (1 + M / m) g / w^2, with the masses M of the sleeve and m of a ball, independently of the
+length of the arms.
 """
 
 import numpy as np
@@ -66,11 +65,11 @@ def motor(mbs, t, itemNumber, offset):
 
 
 fixed = model.add(db.MarkerNodeCoordinate(nodeNumber=model.add(db.NodePointGround()), coordinate=0))
-turns = model.add(db.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
-angle = model.add(
-    db.MarkerBodiesRelativeRotationCoordinate(bodyNumbers=["ground", "spindle"], nodeNumber=turns, axis0=[0, 0, 1])
+counter = model.add(db.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
+turned = model.add(
+    db.MarkerBodiesRelativeRotationCoordinate(bodyNumbers=["ground", "spindle"], nodeNumber=counter, axis0=[0, 0, 1])
 )
-model.add(db.CoordinateConstraint(markerNumbers=[fixed, angle], offsetUserFunction=motor))
+model.add(db.CoordinateConstraint(markerNumbers=[fixed, turned], offsetUserFunction=motor))
 lift = model.add(db.MarkerBodiesRelativeTranslationCoordinate(bodyNumbers=["spindle", "sleeve"], axis0=[0, 0, 1]))
 model.add(db.CoordinateSpringDamper(markerNumbers=[fixed, lift], damping=40))  # damping of the oil in the sleeve
 model.create_sensor(lift, "coordinates", name="lift")

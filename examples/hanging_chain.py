@@ -1,8 +1,8 @@
 """A hanging chain of forty links, as a kinematic tree: oscillations, compared with Bessel's solution for ropes.
 
 A tree needs one coordinate per link and no constraints. Small motions of a rope that hangs from one end have the
-frequencies j sqrt(g / L) / 2, j being the zeros of the Bessel function J0; links of finite length come close. Then
-the chain is released from an inclined position.
+frequencies j sqrt(g / L) / 2, j being the zeros of the Bessel function J0; links of finite length come close. Then the
+chain is released from an inclined position.
 """
 
 import matplotlib.pyplot as plt

@@ -1,8 +1,8 @@
 """A hoist: a winch lifts a load by a rope over two sheaves of a bridge and one at the hook.
 
-The rope runs from the winch over the first sheave of the bridge, around the sheave of the hook, over the second
-sheave and to its anchor. The hook hangs in two falls: it rises by half of the rope length on the winch, and the rope
-carries half of its weight. Sheaves turn without friction, and the rope is elastic.
+The rope runs from the winch over the first sheave of the bridge, around the sheave of the hook, over the second sheave
+and to its anchor. The hook hangs in two falls: it rises by half of the rope length on the winch, and the rope carries
+half of its weight. Sheaves turn without friction, and the rope is elastic.
 """
 
 import numpy as np

@@ -1,8 +1,7 @@
 """Particles run out of a hopper into a box: general contact of spheres with each other and with triangles.
 
 Contact has friction. The number of particles is an argument of the command line: `python examples/hopper.py 10000`
-takes
-minutes. All particles finally lie in the box, which carries their weight.
+takes minutes. All particles finally lie in the box, which carries their weight.
 """
 
 import itertools

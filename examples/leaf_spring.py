@@ -1,8 +1,7 @@
 """A leaf spring of one curved leaf: an axle pushes its middle up.
 
-Its left eye turns on a pin, its right one slides. The forged arc is stress-free. Its stiffness for small loads is
-that of a curved bar (Castigliano's theorem); as it
-flattens, its eyes move apart, and it becomes softer.
+Its left eye turns on a pin, its right one slides. The forged arc is stress-free. Its stiffness for small loads is that
+of a curved bar (Castigliano's theorem); as it flattens, its eyes move apart, and it becomes softer.
 """
 
 import numpy as np

@@ -3,8 +3,7 @@
 Drives keep the wheels at the speeds of the kinematics of mecanum wheels; friction along the axles of the rollers moves
 the vehicle. Odometry computes the pose of the vehicle from the wheel angles, up to their slip. The lidar measures
 distances along 72 rays five times a second; the poses of odometry convert them to points of a map. The room is known,
-so
-the last scan also gives the final pose of the vehicle, to the tenth of a millimeter.
+so the last scan also gives the final pose of the vehicle, to the tenth of a millimeter.
 """
 
 import matplotlib.pyplot as plt

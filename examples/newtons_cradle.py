@@ -1,9 +1,8 @@
 """Newton's cradle: five steel balls on wires; the first is released, and the last one leaves with its velocity.
 
 Neighbours have a small gap, so impacts occur one after the other, and each transfers all of the momentum: balls of
-equal
-mass exchange their velocities in elastic impacts. The period is that of a pendulum whose ball
-swings on one side for a quarter of it, and the last one on the other side.
+equal mass exchange their velocities in elastic impacts. The period is that of a pendulum whose ball swings on one side
+for a quarter of it, and the last one on the other side.
 """
 
 from itertools import pairwise

@@ -10,7 +10,7 @@ import dalembert as db
 from dalembert.utilities import RotationMatrixY
 
 mass, static, step = 400, 0.2, 0.05  # kg; m of deflection at rest; m
-dampingRatios, frequencies = np.linspace(0.05, 0.8, 50), np.linspace(1, 3, 20)  # ratio, Hz
+damping_ratios, frequencies = np.linspace(0.05, 0.8, 50), np.linspace(1, 3, 20)  # ratio, Hz
 
 # one model: a mass that is guided vertically, spring and damper below it
 model = db.Model()
@@ -40,7 +40,7 @@ settings.timeIntegration.numberOfSteps = 2000
 settings.solutionSettings.sensorsWritePeriod = 0.002
 
 # a row per variation: every damping ratio with every frequency
-ratio, frequency = (grid.ravel() for grid in np.meshgrid(dampingRatios, frequencies, indexing="ij"))
+ratio, frequency = (grid.ravel() for grid in np.meshgrid(damping_ratios, frequencies, indexing="ij"))
 stiffness = mass * (2 * np.pi * frequency) ** 2
 damping = 2 * ratio * np.sqrt(stiffness * mass)
 results = model.system.SolveVariations(

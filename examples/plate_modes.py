@@ -1,8 +1,7 @@
 """Vibrations of a square plate whose edges rest on a frame, and its deflection under weight.
 
 Elements of thin plates have nodes with two slopes. Edges are simply supported: fixed coordinates are sufficient.
-Frequencies and deflection are those of Kirchhoff's theory, up to the
-error of the mesh.
+Frequencies and deflection are those of Kirchhoff's theory, up to the error of the mesh.
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """A quadruped trots: a kinematic tree that floats on six virtual joints and stands on the ground by friction alone.
 
 Diagonal legs step together. The joint drives track the positions of the feet relative to their hips; the legs on the
-ground share the weight, by
-torques from the transposed Jacobians of their feet. The controller updates set values and torques every 2 ms. The
-balance of momentum gives the ground force: its mean over whole periods of a steady gait is the weight.
+ground share the weight, by torques from the transposed Jacobians of their feet. The controller updates set values and
+torques every 2 ms. The balance of momentum gives the ground force: its mean over whole periods of a steady gait is the
+weight.
 """
 
 import matplotlib.pyplot as plt

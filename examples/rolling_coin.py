@@ -1,10 +1,9 @@
 """A coin rolls on a circle, leaning inwards: its speed follows from the balance of moments.
 
-A thin disc of radius R leans by the angle a from the vertical while its contact point moves on a circle of radius c
-at the
-rate w. The weight and the rate of angular momentum balance if
+A thin disc of radius R leans by the angle a from the vertical while its contact point moves on a circle of radius c at
+the rate w. The weight and the rate of angular momentum balance if
 
-    m g R sin a = w^2 cos a (m d R + I3 (c / R - sin a) + I1 sin a)
+m g R sin a = w^2 cos a (m d R + I3 (c / R - sin a) + I1 sin a)
 
 with the distance d = c - R sin a of its center from the middle, and I3 about its own axis.
 """

@@ -1,9 +1,8 @@
 """A rope slips from a smooth bar: it hangs down on both sides, and its longer side pulls it over.
 
-Contact between the bar and each element of the rope is frictionless, so the tension is equal on both sides of the
-bar. Let
-x be half the difference of the lengths; the weight of 2 x moves the whole rope of length L, and x'' = 2 g x / L: the
-displacement grows as cosh(t sqrt(2 g / L)), independently of the radius of the bar.
+Contact between the bar and each element of the rope is frictionless, so the tension is equal on both sides of the bar.
+Let x be half the difference of the lengths; the weight of 2 x moves the whole rope of length L, and x'' = 2 g x / L:
+the displacement grows as cosh(t sqrt(2 g / L)), independently of the radius of the bar.
 """
 
 import matplotlib.pyplot as plt

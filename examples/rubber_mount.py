@@ -1,8 +1,8 @@
 """A mast that stands on a rubber mount: how far it leans, and how much of that is due to the mount.
 
-The mast is a chain of beam elements whose nodes carry two directions of their sections; the mount is a spring for
-all six motions of its foot. Under a force at the top, a mast of length L bends by F L^3 / (3 EI) + F L / (k G A); the
-mount adds F / k for its shift and F L^2 / k for its turning.
+The mast is a chain of beam elements whose nodes carry two directions of their sections; the mount is a spring for all
+six motions of its foot. Under a force at the top, a mast of length L bends by F L^3 / (3 EI) + F L / (k G A); the mount
+adds F / k for its shift and F L^2 / k for its turning.
 """
 
 from itertools import pairwise

@@ -15,12 +15,13 @@ end = 2 * np.pi / speed
 
 model = db.Model()
 small = InertiaCuboid(7800, [0.02, 0.02, 0.01])
-yokeShape = [
+shape_of_yoke = [
     db.graphics.Brick([x, 0, -0.02], [0.02, 0.3, 0.01], color=db.graphics.color.steelblue) for x in (-0.02, 0.02)
 ] + [db.graphics.Brick([0.15, 0, -0.02], [0.24, 0.02, 0.01], color=db.graphics.color.steelblue)]
 crank = model.create_rigid_body(
     "crank",
     reference_position=[0, 0, 0],
+    initial_angular_velocity=[0, 0, speed],
     inertia=InertiaCuboid(7800, [0.2, 0.02, 0.01]),
     create_2d=True,
     graphics_data_list=[
@@ -28,12 +29,12 @@ crank = model.create_rigid_body(
     ],
 )
 block = model.create_rigid_body(
-    "block", reference_position=[radius, 0, 0], inertia=small, create_2d=True,
+    "block", reference_position=[radius, 0, 0], initial_velocity=[0, radius * speed, 0], inertia=small, create_2d=True,
     graphics_data_list=[db.graphics.Brick(size=[0.02, 0.03, 0.03], color=db.graphics.color.grey)],
 )  # fmt: skip
 yoke = model.create_rigid_body(
     "yoke", reference_position=[radius, 0, 0], inertia=InertiaCuboid(mass / 6e-4, [0.2, 0.3, 0.01]), create_2d=True,
-    graphics_data_list=yokeShape,
+    graphics_data_list=shape_of_yoke,
 )  # fmt: skip
 
 
@@ -64,8 +65,6 @@ motor = model.add(
     )
 )
 way, torque = model.create_sensor(slide, "coordinates", name="way"), model.create_sensor(motor, "force")
-model["Node:crank"].initial_velocities = [0, 0, speed]
-model["Node:block"].initial_velocities = [0, radius * speed, 0]
 solution = model.solve(end_time=end, step_size=end / 2000, every=end / 200)
 
 print(f"way of the yoke: {np.ptp(way.values):.6f} m, two radii {2 * radius:.6f} m")

@@ -1,9 +1,8 @@
 """A servo drive: a motor with its current, a gear, and a table that friction brakes.
 
 The current follows the voltage and the induced voltage of the rotor, by a first-order equation; it drives the rotor,
-which
-a gear connects with the table. The bearing of the table has dry and viscous friction. Voltage, current, speeds and
-friction are in balance after the start.
+which a gear connects with the table. The bearing of the table has dry and viscous friction. Voltage, current, speeds
+and friction are in balance after the start.
 """
 
 import matplotlib.pyplot as plt
@@ -36,13 +35,13 @@ def add_rotor(name, inertia, position, radius, color):
     return node, model.add(db.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
 
 
-motor, motorMarker = add_rotor("motor", rotor, [-0.14, 0, 0], 0.03, db.graphics.color.steelblue)
-load, loadMarker = add_rotor("table", table, [0, 0, 0], 0.1, db.graphics.color.orange)
-model.add(db.CoordinateConstraint(name="gear", markerNumbers=[motorMarker, loadMarker], factorValue1=ratio))
+motor, motor_angle = add_rotor("motor", rotor, [-0.14, 0, 0], 0.03, db.graphics.color.steelblue)
+load, load_angle = add_rotor("table", table, [0, 0, 0], 0.1, db.graphics.color.orange)
+model.add(db.CoordinateConstraint(name="gear", markerNumbers=[motor_angle, load_angle], factorValue1=ratio))
 bearing = model.add(
     db.CoordinateSpringDamperExt(
         name="bearing",
-        markerNumbers=[start, loadMarker],
+        markerNumbers=[start, load_angle],
         damping=viscous,
         fDynamicFriction=dry,
         frictionProportionalZone=0.01,
@@ -69,7 +68,7 @@ def motor_torque(mbs, t, load):
     return constant * mbs.GetNodeOutput(current, db.OutputVariableType.Coordinates)
 
 
-torque = model.add(db.LoadCoordinate(name="torque", markerNumber=motorMarker, loadUserFunction=motor_torque))
+torque = model.add(db.LoadCoordinate(name="torque", markerNumber=motor_angle, loadUserFunction=motor_torque))
 drive = model.create_sensor(torque, name="motor torque")
 speed = model.create_sensor(load, "coordinates_t", name="speed of the table")
 solution = model.solve(end_time=0.6, step_size=2e-4, every=1e-3)

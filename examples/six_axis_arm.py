@@ -2,10 +2,9 @@
 
 The arm is read from a URDF file. Inverse kinematics finds its joints for two poses of the gripper, a trajectory leads
 from one to the other within limits of velocity and acceleration. Every 2 ms, inverse dynamics computes the torques of
-this motion, with a feedback of the errors; for comparison, drives with
-gravity compensation only follow the same trajectory with the same gains. The arm finally rests, so the work of its
-drives
-is the change of potential energy plus the dissipation in its bearings.
+this motion, with a feedback of the errors; for comparison, drives with gravity compensation only follow the same
+trajectory with the same gains. The arm finally rests, so the work of its drives is the change of potential energy plus
+the dissipation in its bearings.
 """
 
 from pathlib import Path

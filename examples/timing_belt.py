@@ -16,7 +16,7 @@ for pulley in (motor, wheel):
     model.create_revolute_joint(body_numbers=["ground", pulley], position=pulley.position, axis="z")
 belt = model.create_belt(
     name="belt", body_numbers=[motor, wheel], positions=[motor.position, wheel.position], radii=radii,
-    carrier_numbers=["ground"], stiffness=stiffness, damping=20, pretension=pretension,
+    carrier_number="ground", stiffness=stiffness, damping=20, pretension=pretension,
 )  # fmt: skip
 model.create_motor(body_numbers=["ground", motor], position=[0, 0, 0], axis="z", speed=speed, ramp=run_up, damping=20)
 

@@ -1,8 +1,7 @@
 """Two discs on one wire: torsional vibration moves between them, like that of coupled pendulums.
 
 The wire is clamped at both ends; its parts are springs between the rotations of the discs, which are coordinates of
-markers.
-The discs turn in phase with w1 = sqrt(k / J), in opposite phase with w2 = sqrt((k + 2 c) / J), where k is the
+markers. The discs turn in phase with w1 = sqrt(k / J), in opposite phase with w2 = sqrt((k + 2 c) / J), where k is the
 stiffness of the outer parts and c that of the part between the discs. If one disc is rotated and released, the motion
 is the sum of both modes.
 """

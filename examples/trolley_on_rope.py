@@ -1,9 +1,8 @@
 """A trolley oscillates on a tight rope, only because of the sag by its own weight.
 
-The sag of a rope of length L and tension T under a force F at x is F x (L - x) / (L T); half of the work of the
-weight is
-stored in the rope. The other half drives the trolley to the middle like a spring: it oscillates with the frequency
-g sqrt(m / (L T)).
+The sag of a rope of length L and tension T under a force F at x is F x (L - x) / (L T); half of the work of the weight
+is stored in the rope. The other half drives the trolley to the middle like a spring: it oscillates with the frequency g
+sqrt(m / (L T)).
 """
 
 import matplotlib.pyplot as plt

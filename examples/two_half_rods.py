@@ -1,8 +1,7 @@
 """Two halves of a rod, each a system of matrices, are joined at their ends: the frequencies are those of the whole.
 
 The matrices may come from other programs, or from measurements. A vector constraint uses markers with all coordinates
-of
-each half, and couples them by a row of factors; modes of the free rod are c n / (2 L).
+of each half, and couples them by a row of factors; modes of the free rod are c n / (2 L).
 """
 
 import matplotlib.pyplot as plt

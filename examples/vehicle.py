@@ -1,10 +1,9 @@
 """A car on four rolling discs: it accelerates with its rear wheels, then its front wheels steer it into a circle.
 
-The discs have contact with friction, like rigid tyres. The thrust accelerates the car and its wheels and increases
-the load
-of the rear axle, in agreement with the balances of momentum and angular momentum, which neglect the small pitch. The
-front wheels are steered so that all axles meet in one point, the centre
-of the circle; at low slip the car follows it.
+The discs have contact with friction, like rigid tyres. The thrust accelerates the car and its wheels and increases the
+load of the rear axle, in agreement with the balances of momentum and angular momentum, which neglect the small pitch.
+The front wheels are steered so that all axles meet in one point, the centre of the circle; at low slip the car follows
+it.
 """
 
 import matplotlib.pyplot as plt
@@ -98,6 +97,7 @@ shown.sensors.traces.showPositionTrace = True
 model.draw(file_name="vehicle_picture.png", view="axonometric", around=body, zoom=0.35)
 # camera follows the car
 shown.view0.camera.trackMarker = joints[0].markers[0]
+# the whole way fits into the picture with zoom=1
 film = {"window_size": [420, 320], "frames_per_second": 20, "view": "axonometric", "zoom": 18}
 solution.animate("vehicle_motion.gif", speed=2, **film)
 

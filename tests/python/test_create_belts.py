@@ -23,7 +23,7 @@ def drive(sizes: Any = RADII, points: Any = ((0, 0, 0), (DISTANCE, 0, 0)), **bel
             )
         )
         model.create_revolute_joint(body_numbers=["ground", pulleys[i]], position=point, axis="z")
-    given = {"body_numbers": pulleys, "positions": points, "radii": sizes, "carrier_numbers": ["ground"], **belt}
+    given = {"body_numbers": pulleys, "positions": points, "radii": sizes, "carrier_number": "ground", **belt}
     return model, pulleys, model.create_belt(**{"stiffness": STIFFNESS, **given})
 
 
@@ -93,7 +93,7 @@ def test_energy_is_kept_on_a_moving_carrier() -> None:
         )  # fmt: skip
         model.create_revolute_joint(body_numbers=[frame, pulleys[-1]], position=[x, 0, 0], axis="z")
     model.create_belt(
-        body_numbers=pulleys, positions=[[0, 0, 0], [DISTANCE, 0, 0]], radii=RADII, carrier_numbers=[frame],
+        body_numbers=pulleys, positions=[[0, 0, 0], [DISTANCE, 0, 0]], radii=RADII, carrier_number=frame,
         stiffness=STIFFNESS, pretension=300,
     )  # fmt: skip
     solution = model.solve(end_time=0.5, step_size=5e-4, method="RK67")
@@ -126,9 +126,10 @@ def test_ratios_of_speeds(radii: Any, points: Any, ratios: Any) -> None:
         ({"radii": [0.05, 0.0]}, "'radii': expected a radius other than 0 for each of the 2 pulleys"),
         ({"radii": [0.05]}, "'radii': expected a radius other than 0 for each of the 2 pulleys"),
         ({"radii": [0.05, -0.4]}, "'positions': expected points 0 and 1 more than 0.45 m apart"),
-        ({"carrier_numbers": []}, "'carrier_numbers': expected a list of at least one body number"),
-        ({"carrier_numbers": ["ground"] * 3}, "'carrier_numbers': expected one body, or 2: one for each pulley"),
-        ({"carrier_numbers": ["p0", "ground"]}, r"'carrier_numbers\[0\]': expected another body than the pulley"),
+        ({"carrier_number": "p0"}, "'body_numbers': expected different pulleys, without the carrier"),
+        ({"body_numbers": ["p0", "p0"]}, "'body_numbers': expected different pulleys"),
+        ({"axis": "y"}, r"'axis': expected the axis of joint \d+ of pulley 0, \[0. 0. 1.\]"),
+        ({"positions": [[0, 0, 0], [0.5, 0, 0]]}, r"'positions\[1\]': expected a point on the axis of joint \d+"),
         ({"pretension": -1.0}, "'pretension': expected a finite number that is not negative"),
         ({"axis": [0, 0, 0]}, "'axis': expected a vector with 3 components that is not zero"),
     ],
@@ -136,3 +137,38 @@ def test_ratios_of_speeds(radii: Any, points: Any, ratios: Any) -> None:
 def test_wrong_belts_are_refused(given: dict[str, Any], text: str) -> None:
     with pytest.raises(ValueError, match=f"create_belt.*{text}"):
         drive(**given)
+
+
+def test_the_order_of_pulleys_follows_the_axis() -> None:
+    """Without the check, a belt with this order would cross itself between all pulleys."""
+    points = ((0, 0, 0), (0.2, 0.3, 0), (0.4, 0, 0))
+    with pytest.raises(ValueError, match="'body_numbers': expected pulleys in the order in which the belt turns"):
+        drive((0.05, 0.05, 0.05), points)
+    for sizes, order in (((0.05,) * 3, points[::-1]), ((-0.05,) * 3, points)):
+        model, _, spans = drive(sizes, order, pretension=100)
+        model.assemble()
+        # three circles of one radius: the belt is the polygon of centers, and a circle
+        assert [span.distance for span in spans] == pytest.approx(
+            [np.linalg.norm(np.subtract(order[i], order[(i + 1) % 3])) for i in range(3)], rel=1e-12
+        )
+
+
+def test_pulleys_on_a_turning_frame() -> None:
+    """One pulley is held by the ground, in the middle of a frame that turns: the other one keeps its direction."""
+    model = db.Model()
+    frame = model.create_box("frame", size=[0.5, 0.02, 0.02], density=7850, reference_position=[0.2, 0, 0])
+    model.create_revolute_joint(body_numbers=["ground", frame], position=[0, 0, 0], axis="z")
+    pulleys = [
+        model.create_cylinder(radius=0.05, length=0.02, axis="z", density=7850, reference_position=[x, 0, 0])
+        for x in (0, DISTANCE)
+    ]
+    model.create_fixed_joint(body_numbers=["ground", pulleys[0]], position=[0, 0, 0])
+    model.create_revolute_joint(body_numbers=[frame, pulleys[1]], position=[DISTANCE, 0, 0], axis="z")
+    model.create_belt(
+        body_numbers=pulleys, positions=[[0, 0, 0], [DISTANCE, 0, 0]], radii=[0.05, 0.05], carrier_number=frame,
+        stiffness=STIFFNESS, damping=50, pretension=300,
+    )  # fmt: skip
+    model.create_motor(body_numbers=["ground", frame], position=[0, 0, 0], axis="z", speed=2, ramp=0.2, damping=50)
+    solution = model.solve(end_time=1, step_size=5e-4)
+    assert solution[frame].angular_velocity[-1, 2] == pytest.approx(2, rel=1e-4)
+    assert solution[pulleys[1]].angular_velocity[-1, 2] == pytest.approx(0, abs=1e-3)

@@ -16,7 +16,7 @@ from dalembert import handles
 from dalembert._item_table import ITEMS
 from dalembert._model import words
 from dalembert._model.handle import handle_class
-from dalembert._model.item_facts import facts_of
+from dalembert._tools.item_facts import facts_of
 
 PACKAGE = Path(db.__file__).parent
 GENERATED = Path(__file__).parents[2] / "generated/python/dalembert"

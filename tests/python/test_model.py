@@ -384,20 +384,50 @@ def test_solutions_go_on_from_the_last_state() -> None:
     assert solution["mass"].displacement[-1, 0] == pytest.approx(displacement(1.0)[0], abs=5e-5)
 
 
-def test_equilibria_stay_initial_states_when_sensors_are_added() -> None:
+def test_states_of_solvers_become_initial_values(tmp_path: Path) -> None:
     model = oscillator()
     at_rest = model.solve_static(update_initial_values=True)["mass"].position[-1]
+    node = model["mass"].nodes[0]
+    assert node.initial_coordinates == pytest.approx(at_rest - [1, 0, 0], abs=1e-15)
     sensor = model.create_sensor("mass", "position")
-    solution = model.solve(0.1, 1e-3)
+    model.solve(0.1, 1e-3)
     assert sensor.values[[0, -1]] == pytest.approx(np.array([at_rest] * 2), abs=1e-9)  # tolerance of the static solver
-    model["mass"].nodes[0].initial_velocities = [0, 1, 0]
+    model.save(tmp_path / "model.json")
+    assert db.Model.load(tmp_path / "model.json")["mass"].position == pytest.approx(at_rest, abs=0)
+    twin = model.differentiable({"m": ("mass", "mass")}, {"x": db.At(sensor, 0.0)}, 0.1, 1e-3)
+    assert twin.Values([MASS])["x"] == pytest.approx(at_rest[0], abs=1e-12)
+    node.initial_velocities = [0, 1, 0]
     solution = model.solve(0.1, 1e-3)
     assert solution["mass"].velocity[0] == pytest.approx([0, 1, 0], abs=0)
     assert solution["mass"].position[0] == pytest.approx(at_rest, abs=0)
-    model.create_mass_point(name="second", mass=1)
-    with pytest.warns(UserWarning, match="initial state that update_initial_values has set is lost"):
-        solution = model.solve(0.1, 1e-3)
-    assert np.abs(solution["mass"].position[0] - at_rest).max() > 1e-3
+    model.create_mass_point(name="second", mass=1, initial_displacement=[0.2, 0, 0])
+    model.delete("spring")
+    solution = model.solve(0.1, 1e-3, update_initial_values=True)
+    assert solution["mass"].position[0] == pytest.approx(at_rest, abs=0)
+    assert solution["second"].position[0] == pytest.approx([0.2, 0, 0], abs=0)
+    node.initial_coordinates = [0, 0, 0]
+    solution = model.solve(0.1, 1e-3)
+    assert solution["mass"].position[0] == pytest.approx([1, 0, 0], abs=0)
+    assert solution["mass"].velocity[0] == pytest.approx([0, 1, 0], abs=1e-9)  # it was free, without forces
+
+
+@pytest.mark.parametrize("node_type", ["RotationEulerParameters", "RotationRxyz", "RotationRotationVector"])
+def test_rotating_bodies_go_on(node_type: str) -> None:
+    """A free body, whose rotation is far from its reference: a pause with new items changes nothing."""
+    turned = []
+    for pause in (False, True):
+        model = db.Model()
+        body = model.create_rigid_body(
+            inertia=db.utilities.InertiaCuboid(1000, [0.1, 0.2, 0.3]), initial_angular_velocity=[1, 2, 3],
+            node_type=node_type,
+        )  # fmt: skip
+        if pause:
+            model.solve(0.5, 1e-3, update_initial_values=True)
+            model.create_sensor(body, "rotation")
+            turned.append(model.solve(1, 1e-3, start_time=0.5)[body].rotation_matrix[-1])
+        else:
+            turned.append(model.solve(1, 1e-3)[body].rotation_matrix[-1])
+    assert turned[0] == pytest.approx(turned[1], abs=1e-7)  # accelerations of generalized alpha begin anew
 
 
 def test_tables_and_files(tmp_path: Path) -> None:
@@ -522,13 +552,23 @@ def test_motions_are_written(tmp_path: Path) -> None:
         assert film.n_frames == 11 and film.size == (120, 90)  # one second, with both ends
     solution.animate(tmp_path / "motion.html", title="oscillator")
     assert "<html" in (tmp_path / "motion.html").read_text("utf-8")
-    with pytest.raises(TypeError, match=r"solution\.animate: unknown argument 'speeds'"):
+    with pytest.raises(TypeError, match=r"solution\.animate\(.*\): unknown argument 'speeds'"):
         solution.animate(tmp_path / "motion.gif", speeds=2)
-    with pytest.raises(TypeError, match=r"solution\.animate: unknown argument 'solution'"):
+    with pytest.raises(TypeError, match=r"solution\.animate\(.*\): unknown argument 'solution'"):
         solution.animate(tmp_path / "motion.gif", solution={})
-    model.create_mass_point(name="second", mass=1)
-    with pytest.raises(ValueError, match="solution"):
-        solution.animate(tmp_path / "motion.gif")
+    with pytest.raises(
+        TypeError, match=r"animate\(\) without a file: unknown argument 'speed'; known are: row_increment"
+    ):
+        solution.animate(speed=2)
+    model.container.visualizationSettings.nodes.show = False
+    before = (tmp_path / "motion.gif").read_bytes()
+    model.delete("mass")  # the solution has a model of its own
+    options = {"speed": 0.1, "frames_per_second": 10, "window_size": [120, 90]}
+    solution.animate(tmp_path / "without_nodes.gif", **options)
+    assert (tmp_path / "without_nodes.gif").read_bytes() != before
+    model.container.visualizationSettings.nodes.show = True
+    solution.animate(tmp_path / "again.gif", **options)
+    assert (tmp_path / "again.gif").read_bytes() == before
 
 
 def test_wrong_arguments_of_solve() -> None:

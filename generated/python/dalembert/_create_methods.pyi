@@ -46,7 +46,7 @@ class CreateMethods:
         positions: Sequence[Vector] = ...,
         radii: Vector = ...,
         axis: Vector | str = ...,
-        carrier_numbers: Sequence[ObjectIndex | int | str] = ...,
+        carrier_number: ObjectIndex | int | str = ...,
         stiffness: float = ...,
         damping: float = ...,
         pretension: float = ...,

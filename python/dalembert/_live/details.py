@@ -10,7 +10,7 @@ import numpy as np
 from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
-from dalembert._model.item_facts import facts_of
+from dalembert._tools.item_facts import facts_of
 from dalembert._tools.sensor_facts import component_name, unit_of, usual_units, variable_of
 
 KINDS = ("Node", "Object", "Marker", "Load", "Sensor")

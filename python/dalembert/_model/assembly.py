@@ -1,52 +1,21 @@
-"""Assemble systems of the interface with handles; initial states that a solver has found stay."""
+"""Assemble systems of the interface with handles, and keep the states that solvers have found as initial values."""
 
 from __future__ import annotations
 
-import warnings
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType
+from dalembert._core import ConfigurationType, NodeIndex
 
-_KEY, _CHANGED = "initialState", "initialStateChanged"  # of MainSystem.sys
-
-
-class _Kept(NamedTuple):
-    """Initial states: that of the parameters of items, and that of the solver."""
-
-    of_items: list[FloatArray]
-    of_solver: list[FloatArray]
-
-
-def _initial_state(system: Any) -> list[FloatArray]:
-    return list(map(np.array, system.systemData.GetSystemState(ConfigurationType.Initial)))
+_CHANGED = "initialValuesChanged"  # of MainSystem.sys
+_ROWS = ("initialCoordinates", "initialVelocities", "initialCoordinates_t")
 
 
 def assemble(system: Any) -> None:
-    """Assemble a system, and set its state to the initial one.
-
-    After a solver with update_initial_values, this is the state that it found, except for initial values of items that
-    have changed since. A warning says so if it is lost, because there are other coordinates.
-    """
-    kept = system.sys.pop(_KEY, None)
+    """Assemble a system, and set its state to the initial values of the items."""
     system.sys.pop(_CHANGED, None)
     system.Assemble()
-    if kept is None:
-        return
-    of_items = _initial_state(system)
-    if [len(each) for each in of_items] != [len(each) for each in kept.of_items]:
-        warnings.warn(
-            "the initial state that update_initial_values has set is lost, because items with coordinates were added "
-            "or deleted since: it is that of the items again",
-            stacklevel=4,
-        )
-        return
-    merged = [np.where(new == old, found, new) for new, old, found in zip(of_items, *kept, strict=True)]
-    for configuration in (ConfigurationType.Initial, ConfigurationType.Current):
-        system.systemData.SetSystemState(merged, configuration)
-    system.sys[_KEY] = _Kept(of_items, merged)
 
 
 def assemble_if_needed(system: Any) -> None:
@@ -60,11 +29,25 @@ def needs_assembly(system: Any) -> None:
     system.sys[_CHANGED] = True
 
 
-def state_of_items(system: Any) -> list[FloatArray]:
-    """Return the initial state that the parameters of items have; the system is assembled."""
-    return list(system.sys[_KEY].of_items) if _KEY in system.sys else _initial_state(system)
-
-
-def keep_initial_state(system: Any, of_items: list[FloatArray]) -> None:
-    """Keep the initial state that a solver has set when the system is assembled again."""
-    system.sys[_KEY] = _Kept(of_items, _initial_state(system))
+def keep_as_initial_values(system: Any) -> None:
+    """Write the initial state that a solver has set into the nodes, which keep it when the system is assembled."""
+    data, initial = system.systemData, ConfigurationType.Initial
+    q, v, y, states = (
+        np.asarray(get(initial))
+        for get in (
+            data.GetODE2Coordinates,
+            data.GetODE2Coordinates_t,
+            data.GetODE1Coordinates,
+            data.GetDataCoordinates,
+        )
+    )
+    for number in range(data.NumberOfNodes()):
+        node = NodeIndex(number)
+        mechanical = data.GetNodeLTGODE2(node)
+        values = [q[mechanical], v[mechanical]] if len(mechanical) else [y[data.GetNodeLTGODE1(node)]]
+        if len(of_data := data.GetNodeLTGData(node)):
+            values = [states[of_data]]
+        rows = [row for row in _ROWS if row in system.GetNode(node)]
+        for row, value in zip(rows, values, strict=False):
+            if len(value):
+                system.SetNodeParameter(node, row, value)

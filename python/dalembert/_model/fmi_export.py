@@ -92,6 +92,8 @@ def export_fmu(
     if step <= 0:
         raise shape_error(f"{where}: step_size", "a positive number", step_size)
     path = Path(file_to_write(f"{where}: file_name", file_name))
+    if path.suffix.lower() != ".fmu":
+        raise ValueError(f"{where}: file_name: expected a name that ends with .fmu, received '{file_name}'")
     used = _settings(where, settings)
     kind = words.member(DynamicSolverType, method, f"{where}: method")
     if events_of(model.system):

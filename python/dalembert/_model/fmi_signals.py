@@ -111,19 +111,19 @@ def _parts_of_parameter(model: Any, given: Any, where: str) -> tuple[Any, str, A
             example = "(item, 'stiffness')"
             raise ValueError(f"{where}: received {handle!r} without a parameter: write {example} for example")
         return handle, "load" if "load" in handle.parameters else "load_vector", None
-    if not isinstance(given, tuple) or len(given) not in (2, 3) or not isinstance(given[1], (str, int)):
+    if not isinstance(given, tuple) or len(given) not in (2, 3) or not isinstance(given[1], (str, int, np.integer)):
         raise ValueError(
             f"{where}: expected a load, (item, 'parameter') or (item, 'parameter', entry), received {given!r}"
         )
-    if isinstance(given[1], int):
+    if isinstance(given[1], (int, np.integer)):
         return *_parts_of_parameter(model, given[0], where)[:2], given[1]
     return model._item_of(given[0], where), given[1], given[2] if len(given) == 3 else None
 
 
 def _entry_of(entry: Any, size: int, where: str) -> int:
-    if not isinstance(entry, int) or isinstance(entry, bool) or not 0 <= entry < size:
+    if not isinstance(entry, (int, np.integer)) or isinstance(entry, bool) or not 0 <= entry < size:
         raise ValueError(f"{where}: received entry {entry!r}, but expected 0 to {size - 1}")
-    return entry
+    return int(entry)
 
 
 def signal_of(model: Any, given: Any, where: str) -> Output:
@@ -132,7 +132,7 @@ def signal_of(model: Any, given: Any, where: str) -> Output:
     (sensor, 1) and (item, 'output', 1) are the component with this number.
     """
     entry = None
-    if isinstance(given, tuple) and len(given) > 1 and isinstance(given[-1], int):
+    if isinstance(given, tuple) and len(given) > 1 and isinstance(given[-1], (int, np.integer)):
         *rest, entry = given
         given = rest[0] if len(rest) == 1 else tuple(rest)
     output = Output(*output_of(model, given, where))

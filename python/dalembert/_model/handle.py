@@ -31,8 +31,8 @@ from dalembert._checks import FloatArray
 from dalembert._core import ConfigurationType, OutputVariableType
 from dalembert._model import words
 from dalembert._model.assembly import assemble_if_needed, needs_assembly
-from dalembert._model.item_facts import OF_WHOLE_BODY, Output, Row, facts_of, is_body
 from dalembert._snake_case import snake_case
+from dalembert._tools.item_facts import OF_WHOLE_BODY, Output, Row, facts_of, is_body
 from dalembert._tools.item_packages import item_class
 from dalembert._tools.missing_names import missing, nearest
 from dalembert.create._created import CreatedObject

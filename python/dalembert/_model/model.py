@@ -15,9 +15,9 @@ from dalembert._core import DynamicSolverType, MainSystem, OutputVariableType, S
 from dalembert._model import words
 from dalembert._model.assembly import assemble, assemble_if_needed
 from dalembert._model.handle import KINDS, Handle, handle_of, own, wrapped
-from dalembert._model.item_facts import Output, facts_of, is_body, is_constraint
 from dalembert._model.solution import Solution, check_output
 from dalembert._snake_case import snake_case
+from dalembert._tools.item_facts import Output, facts_of, is_body, is_constraint
 from dalembert._tools.missing_names import missing, nearest
 
 if TYPE_CHECKING:
@@ -30,6 +30,10 @@ else:
 
 
 GROUND = "ground"
+# Five colors of the map viridis (N. Smith, S. van der Walt, 2015), whose lightness grows evenly.
+_VIRIDIS = (
+    (0.267, 0.005, 0.329), (0.229, 0.322, 0.546), (0.128, 0.567, 0.551), (0.369, 0.789, 0.383), (0.993, 0.906, 0.144)
+)  # fmt: skip
 # Arguments of Create functions that methods of Model do not have: handles and body_numbers take their place.
 _OLD_ARGUMENTS = ("returnDict", "bodyList", "bodyOrNodeList")
 _NAMED = ("Object", "Load", "Sensor")  # what users add; Create functions add nodes and markers
@@ -86,7 +90,7 @@ class Model(CreateMethods):
                 f"Model: system: received {system!r}, but expected a MainSystem, or nothing for a new model"
             )
         if system is None:
-            self.container = SystemContainer()
+            self.container = _container()
             self.system: Any = self.container.AddSystem()
             self.system.CreateGround(name=GROUND)
         else:
@@ -292,8 +296,8 @@ class Model(CreateMethods):
         outputs: what is computed at once: [(arm, 'position'), (arm, 'velocity', [0.5, 0, 0]), 'hinge.force', sensor].
             Others can be read later: solution[arm].position.
         every: time between stored states and sensor values (s); None: all steps are stored.
-        update_initial_values: True: the next solution starts from the final state; solutions start from the initial
-            state otherwise.
+        update_initial_values: True: the next solution starts from the final state, which becomes the initial values of
+            the nodes; solutions start from the initial state otherwise.
         progress: show a bar after one second; None: in terminals and notebooks. Messages of the solver replace it.
         settings: all further settings; the arguments above replace those in a copy.
 
@@ -386,7 +390,7 @@ class Model(CreateMethods):
     @classmethod
     def load(cls, file_name: str | os.PathLike[str]) -> Model:
         """Return the model of a JSON file, as save writes it."""
-        system = SystemContainer().AddSystem()
+        system = _container().AddSystem()
         system.Load(file_name)
         return cls(system)
 
@@ -473,15 +477,26 @@ class Model(CreateMethods):
         return str(self.system._repr_html_())
 
 
+def _container() -> SystemContainer:
+    """Return a new container, with the colors of viridis for contours."""
+    container = SystemContainer()
+    contour = container.visualizationSettings.contour.advanced
+    for i, color in enumerate(_VIRIDIS):
+        setattr(contour, f"contourColor{i}", [*color, 1.0])
+    return container
+
+
 def arguments_of(function: Callable[..., Any]) -> dict[str, str]:
     """Return the arguments of a function of the interface with indices, after mbs, by their snake_case names."""
     names = list(inspect.signature(function).parameters)[1:]
     return {snake_case(name): name for name in names if name not in _OLD_ARGUMENTS}
 
 
-def camel_case(function: Callable[..., Any], given: dict[str, Any], where: str) -> dict[str, Any]:
-    """Return arguments by the names of the interface with indices; TypeError for unknown ones."""
-    known = arguments_of(function)
+def camel_case(
+    function: Callable[..., Any], given: dict[str, Any], where: str, without: Sequence[str] = ()
+) -> dict[str, Any]:
+    """Return arguments by the names of the interface with indices; TypeError for unknown ones and those without."""
+    known = {name: own for name, own in arguments_of(function).items() if own not in without}
     result = {}
     for name, value in given.items():
         own_name = known.get(name, name)

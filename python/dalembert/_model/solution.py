@@ -27,8 +27,8 @@ from dalembert._io.solution_rows import solution_of
 from dalembert._io.solution_states import _set_row, check_solution_of
 from dalembert._model.assembly import assemble_if_needed
 from dalembert._model.handle import Handle, handle_of, own, side_of
-from dalembert._model.item_facts import facts_of
 from dalembert._snake_case import snake_case
+from dalembert._tools.item_facts import facts_of
 from dalembert._tools.missing_names import missing, nearest
 from dalembert._tools.sensor_facts import component_name, variable_of
 
@@ -382,22 +382,25 @@ class Solution:
     def animate(self, file_name: str | os.PathLike[str] = "", **options: Any) -> None:
         """Show the motion, or write it to a file: a film (.gif, .webp, .mp4, 'frame%04d.png') or a page (.html).
 
-        Without a file, notebooks play it in the cell, and the browser does elsewhere. options: arguments of
-        MainSystem.DrawSolution, SaveHTML or SolutionViewer, such as speed=0.2 (time of the solution that passes in a
-        second), view="axonometric" or window_size=(640, 480) of films. model.container has the settings of pictures.
+        Without a file, notebooks play it in the cell, and the browser does elsewhere. model.container has the settings
+        of pictures. options: arguments of MainSystem.DrawSolution for films and of SaveHTML for pages, such as
+        speed=0.2 (time of the solution that passes in a second) and view="axonometric", and those of SolutionViewer
+        without a file, such as row_increment=2.
         """
         from dalembert._model.model import camel_case
+        from dalembert._pictures.renderer import state_of
 
         self._require_model("animate")
         name = os.fspath(file_name)
         is_page = name.lower().endswith((".html", ".htm"))
         kind = "SaveHTML" if is_page else "DrawSolution" if name else "SolutionViewer"
-        named = camel_case(getattr(_core.MainSystem, kind), options, "solution.animate")
-        if "solution" in named:
-            raise TypeError("solution.animate: unknown argument 'solution': it is this one")
-        assemble_if_needed(self._system)
+        where = f"solution.animate({name!r})" if name else "solution.animate() without a file"
+        named = camel_case(getattr(_core.MainSystem, kind), options, where, without=("solution", "fileName"))
+        system, container = self._snapshot, self._snapshot.GetSystemContainer()
+        container.visualizationSettings = self._system.GetSystemContainer().visualizationSettings
+        state_of(container.renderer, 0).update(state_of(self._system.GetSystemContainer().renderer, 0))  # the camera
         file = {"fileName": name} if name else {}
-        getattr(self._system, kind)(**file, solution=self._states, **named)
+        getattr(system, kind)(**file, solution=self._states, **named)
 
     def _key_of(self, wanted: Any) -> _Key:
         if isinstance(wanted, str) and (found := [key for key in self._computed if wanted in (str(key), key.item)]):

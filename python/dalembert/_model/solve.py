@@ -18,11 +18,11 @@ from dalembert._checks import as_number, shape_error
 from dalembert._core import ConfigurationType, DynamicSolverType, SimulationSettings, testing
 from dalembert._io.solution_states import LoadSolutionFile
 from dalembert._model import words
-from dalembert._model.assembly import assemble_if_needed, keep_initial_state, state_of_items
-from dalembert._model.item_facts import facts_of
+from dalembert._model.assembly import assemble_if_needed, keep_as_initial_values
 from dalembert._model.progress import progress as progress_bar
 from dalembert._model.solution import Solution, SolutionWarning
 from dalembert._solving.diagnosis import FinishedNotTrusted, SolverError
+from dalembert._tools.item_facts import facts_of
 
 if TYPE_CHECKING:
     from dalembert._studies.differentiable_model import DifferentiableModel
@@ -249,12 +249,11 @@ class _Run:
     def __init__(self, model: Any, settings: Any, slot: str, method: str, folder: str) -> None:
         self._model, self._settings, self._slot, self._method, self._folder = model, settings, slot, method, folder
         self.solution: Any = None
+        assemble_if_needed(model.system)
+        self._snapshot = copy.copy(model.system)  # before FMUs and solvers change parameters
 
     def __call__(self, solver: Any, updates: bool) -> None:
         system, solution = self._model.system, self._settings.solutionSettings
-        assemble_if_needed(system)
-        of_items = state_of_items(system)
-        snapshot = copy.copy(system)
         temporary = solution.coordinatesSolutionFileName == _DEFAULT_FILE
         if temporary:
             solution.coordinatesSolutionFileName = os.path.join(self._folder, "states")
@@ -271,7 +270,7 @@ class _Run:
             for text in written:
                 warnings.warn(text, SolutionWarning, stacklevel=4)
         if updates:
-            keep_initial_state(system, of_items)
+            keep_as_initial_values(system)
         texts = [*written, *(str(each.message) for each in caught)]
         doubts = list(finished.doubts) if isinstance(finished, FinishedNotTrusted) else []
         for each in caught:
@@ -283,7 +282,7 @@ class _Run:
         name = name if os.path.splitext(name)[1] else name + ending
         states = LoadSolutionFile(name, verbose=False)
         self.solution = Solution._of(
-            self._model, snapshot, states, self._method, [*texts, *doubts], statistics_of(system.sys[self._slot])
+            self._model, self._snapshot, states, self._method, [*texts, *doubts], statistics_of(system.sys[self._slot])
         )
 
 

@@ -178,7 +178,7 @@ COMMON = {
 
 
 # Arguments that refer to items.
-REFERENCES = {"bodyNumber", "bodyNumbers", "bodyOrNodeList", "bodyList", "carrierNumbers"}
+REFERENCES = {"bodyNumber", "bodyNumbers", "bodyOrNodeList", "bodyList", "carrierNumber"}
 
 
 def argument_error(function: str, argument: str, expected: str, received: Any) -> ValueError:

@@ -214,7 +214,7 @@ for pulley, x in zip(pulleys, (0, 0.4)):
 mbs.CreateMotor(bodyNumbers=[ground, pulleys[0]], position=[0, 0, 0], axis=[0, 0, 1], speed=20, ramp=0.2, damping=5)
 mbs.CreateTorque(bodyNumber=pulleys[1], loadVector=[0, 0, -10])
 mbs.CreateBelt(
-    bodyNumbers=pulleys, positions=[[0, 0, 0], [0.4, 0, 0]], radii=[0.05, 0.1], carrierNumbers=[ground],
+    bodyNumbers=pulleys, positions=[[0, 0, 0], [0.4, 0, 0]], radii=[0.05, 0.1], carrierNumber=ground,
     stiffness=5e4, damping=50, pretension=500,
 )
 """,

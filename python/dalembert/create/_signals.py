@@ -43,7 +43,7 @@ def table_of(function: str, argument: str, given: Any) -> FloatArray:
     """
     if isinstance(given, (str, os.PathLike)):
         given = (given,)
-    if isinstance(given, tuple) and given and isinstance(given[0], (str, os.PathLike)):
+    if isinstance(given, (tuple, list)) and given and isinstance(given[0], (str, os.PathLike)):
         given = _read_columns(function, argument, Path(given[0]), given[1:])
     try:
         rows = np.asarray(given, dtype=float)
@@ -92,11 +92,12 @@ def _read(function: str, argument: str, path: Path, names: tuple[str, ...]) -> l
     except UnicodeDecodeError:
         raise argument_error(function, argument, "a text file in UTF-8", str(path)) from None
     rows: list[list[float]] = []
-    header: list[str] = []
+    headers: list[list[str]] = []  # lines before the numbers: names, units, comments
     for number, line in enumerate(lines, 1):
-        text = line.partition("#")[0].strip()
-        if not text or (not rows and (text[0].isalpha() or text[0] == '"')):
-            header = _cells(text) if text else header
+        text, _, comment = map(str.strip, line.partition("#"))
+        if not text or (not rows and (text[0].isalpha() or text[0] in '"_([')):
+            if not rows and (text or comment):
+                headers.append(_cells(text or comment))
             continue
         try:
             rows.append([float(each) for each in text.replace(";", " ").replace(",", " ").split()])
@@ -106,6 +107,7 @@ def _read(function: str, argument: str, path: Path, names: tuple[str, ...]) -> l
         raise argument_error(function, argument, f"the same number of columns in all lines of {path}", "several")
     if not names:
         return rows
+    header = next((each for each in reversed(headers) if set(names) <= set(each)), headers[-1] if headers else [])
     for name in names:
         if header.count(name) != 1 or len(names) < 2:
             columns = ", ".join(header) or "no header"

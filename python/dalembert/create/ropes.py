@@ -120,6 +120,37 @@ def CreateRope(
     )
 
 
+def _require_axes_of_joints(
+    mbs: Any, function: str, carrier: Any, pulleys: Sequence[Any], points: FloatArray, axis: FloatArray
+) -> None:
+    """Raise a ValueError if a revolute joint between a pulley and the carrier has another axis than the belt."""
+    of_marker = {
+        number: (int(marker["bodyNumber"]), marker["localPosition"])
+        for number in range(mbs.systemData.NumberOfMarkers())
+        if (marker := mbs.GetMarker(number))["markerType"] == "BodyRigid"
+    }
+    places = {int(pulley): i for i, pulley in enumerate(pulleys)}
+    for number in range(mbs.systemData.NumberOfObjects()):
+        joint = mbs.GetObject(number)
+        if joint["objectType"] != "JointRevoluteZ":
+            continue
+        markers = [int(marker) for marker in joint["markerNumbers"]]
+        bodies = [of_marker[marker][0] for marker in markers if marker in of_marker]
+        ends = [end for end, body in enumerate(bodies) if body in places]
+        if len(bodies) != 2 or int(carrier) not in bodies or not ends:
+            continue
+        i, frame = places[bodies[ends[0]]], joint[f"rotationMarker{ends[0]}"]
+        body, local = of_marker[markers[ends[0]]]
+        turned = reference_rotation(mbs, body)
+        along = turned @ frame[:, 2]
+        apart = reference_position(mbs, body) + turned @ local - points[i]
+        if np.linalg.norm(np.cross(along, axis)) > 1e-6:
+            raise argument_error(function, "axis", f"the axis of joint {number} of pulley {i}, {along.round(6)}", axis)
+        if np.linalg.norm(np.cross(axis, apart)) > 1e-6 * np.ptp(points, axis=0).max():
+            expected = f"a point on the axis of joint {number}"
+            raise argument_error(function, f"positions[{i}]", expected, points[i].tolist())
+
+
 def CreateBelt(
     mbs: MainSystem,
     name: str = "",
@@ -127,7 +158,7 @@ def CreateBelt(
     positions: Sequence[Vector] = (),
     radii: Vector = (),
     axis: Vector = (0.0, 0.0, 1.0),
-    carrierNumbers: Sequence[ObjectIndex | int | str] = (),
+    carrierNumber: ObjectIndex | int | str = "ground",
     stiffness: float = 1e6,
     damping: float = 0.0,
     pretension: float = 0.0,
@@ -137,41 +168,43 @@ def CreateBelt(
 ) -> list[ObjectIndex]:
     """Add a massless elastic belt that runs around pulleys without slip, as a toothed belt or a chain does.
 
-    The bodies are pulleys, in their order along the belt, which comes back to the first one; revolute joints hold them
-    at their carriers, which take the pull of the belt. Along the belt, it turns about the axis at pulleys of positive
-    radius, and about the opposite one at negative radii, as in a crossed belt. Each span between two pulleys has a
-    tension of its own: the pretension at the start, never compression. Returns the list of spans, ObjectIndex, span i
-    from pulley i to the next one: their tension is ForceLocal, their length Distance.
+    The bodies are pulleys, in their order along the belt, which comes back to the first one. Revolute joints hold them
+    on one carrier, which may move: the ground or a frame. The pull of the belt acts on the carrier, at the points where
+    the belt touches the pulleys: it is not a part of the forces of these joints, and does not bend elastic bearings.
+
+    Along the belt, it turns about the axis at pulleys of positive radius, and about the opposite one at negative radii,
+    as in a crossed belt or at idlers outside. Each span between two pulleys has a tension of its own: the pretension at
+    the start, never compression. Returns the list of spans, ObjectIndex, span i from pulley i to the next one: their
+    tension is ForceLocal, their length Distance.
     """
     function, count = "CreateBelt", len(bodyNumbers)
     points = _points(function, positions, count)
     if np.shape(radii) != (count,) or not np.isfinite(radii).all() or not np.all(radii):
         raise argument_error(function, "radii", f"a radius other than 0 for each of the {count} pulleys", list(radii))
     require_axis(function, axis)
-    carriers = list(carrierNumbers)
-    if len(carriers) == 1:
-        carriers *= count
-    if len(carriers) != count:
-        raise argument_error(function, "carrierNumbers", f"one body, or {count}: one for each pulley", carriers)
     require_items(mbs, function, "bodyNumbers", bodyNumbers)
-    require_items(mbs, function, "carrierNumbers", carriers)
-    for i, (pulley, carrier) in enumerate(zip(bodyNumbers, carriers, strict=True)):
-        if int(pulley) == int(carrier):
-            raise argument_error(function, f"carrierNumbers[{i}]", "another body than the pulley", carrier)
-    turns = np.array(radii, dtype=float)
-    spans = [(i, (i + 1) % count) for i in range(count)]
+    require_items(mbs, function, "carrierNumber", [carrierNumber])
+    if len({int(each) for each in (*bodyNumbers, carrierNumber)}) != count + 1:
+        raise argument_error(function, "bodyNumbers", "different pulleys, without the carrier", bodyNumbers)
+    turns, spans = np.array(radii, dtype=float), [(i, (i + 1) % count) for i in range(count)]
+    unit = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
     _require_tangents(function, points, turns, spans)
-    axes, local_axes = _axes(mbs, axis, turns, carriers)
+    area = sum(unit @ np.cross(points[i] - points[0], points[j] - points[0]) for i, j in spans)
+    if (turns > 0).all() and area < 0 or (turns < 0).all() and area > 0:
+        expected = "pulleys in the order in which the belt turns about the axis; opposite radii reverse it"
+        raise argument_error(function, "bodyNumbers", expected, bodyNumbers)
+    _require_axes_of_joints(mbs, function, carrierNumber, bodyNumbers, points, unit)
+    axes, local_axes = _axes(mbs, axis, turns, [carrierNumber] * count)
     centers, angles = [], []
-    for i, (pulley, carrier) in enumerate(zip(bodyNumbers, carriers, strict=True)):
+    for i, pulley in enumerate(bodyNumbers):
         label = f"Marker{i}:{name}" if name else ""
-        centers.append(_add_marker(mbs, label, carrier, points[i]))
+        centers.append(_add_marker(mbs, label, carrierNumber, points[i]))
         turned = mbs.AddNode(items.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
         angles.append(
             mbs.AddMarker(
                 items.MarkerBodiesRelativeRotationCoordinate(
                     name=f"{label}:angle" if name else "",
-                    bodyNumbers=[carrier, pulley],
+                    bodyNumbers=[carrierNumber, pulley],
                     nodeNumber=turned,
                     axis0=local_axes[i],
                 )
@@ -221,8 +254,8 @@ TEXTS = {
         "bodyNumbers": "pulleys, along the belt",
         "positions": "centers of the pulleys at the reference configuration, in the global frame (m)",
         "radii": "radii of the pulleys (m); negative: the belt turns about the opposite axis",
-        "axis": "axis of all pulleys, in the global frame; the carriers carry it along",
-        "carrierNumbers": "body that carries the bearings of all pulleys, or one body for each pulley",
+        "axis": "axis of all pulleys, in the global frame; that of the joints that hold them",
+        "carrierNumber": "body that carries the bearings of all pulleys",
         "pretension": "tension of all spans in the reference configuration (N)",
     },
 }
@@ -236,19 +269,15 @@ _COMMON_CHECKS: dict[str, Check] = {
 }
 
 
-def _bodies(least: int) -> Check:
-    words = {1: "one", 2: "two"}
-    expected = f"a list of at least {words[least]} body number{'s' if least > 1 else ''}"
-    return Check(lambda value: isinstance(value, (list, tuple)) and len(value) >= least, expected)
-
-
+_BODIES = Check(
+    lambda value: isinstance(value, (list, tuple)) and len(value) >= 2, "a list of at least two body numbers"
+)
 # Requirements on arguments besides those of the mirrored item and COMMON.
 CHECKS: dict[str, dict[str, Check]] = {
-    "CreateRope": {**_COMMON_CHECKS, "bodyNumbers": _bodies(2), "length": POSITIVE.optional()},
+    "CreateRope": {**_COMMON_CHECKS, "bodyNumbers": _BODIES, "length": POSITIVE.optional()},
     "CreateBelt": {
         **_COMMON_CHECKS,
-        "bodyNumbers": _bodies(2),
-        "carrierNumbers": _bodies(1),
+        "bodyNumbers": _BODIES,
         "pretension": NOT_NEGATIVE,
     },
 }
