@@ -172,3 +172,18 @@ def test_pulleys_on_a_turning_frame() -> None:
     solution = model.solve(end_time=1, step_size=5e-4)
     assert solution[frame].angular_velocity[-1, 2] == pytest.approx(2, rel=1e-4)
     assert solution[pulleys[1]].angular_velocity[-1, 2] == pytest.approx(0, abs=1e-3)
+
+
+def test_sensitivities_of_belts_with_pretension() -> None:
+    """Round-off of the pretension is larger than the tolerance that derivatives want: small loads were refused."""
+    found = []
+    for torque in (0.0, 0.05, 0.5):
+        model, pulleys, _ = drive(pretension=100, damping=50)
+        model.create_torque("torque", pulleys[1], load_vector=[0, 0, torque])
+        model.create_sensor(pulleys[0], "angular_velocity", name="speed")
+        output = {"w": db.At("speed", 0.03, component=2)}
+        twin = model.differentiable({"M": ("torque", "load_vector", 2)}, output, 0.03, 1e-3)
+        found.append(twin.Sensitivities(twin.x0).Derivative("w", "M"))
+        differences = [float(twin.Values([torque + step])["w"]) for step in (1e-3, -1e-3)]
+        assert found[-1] == pytest.approx((differences[0] - differences[1]) / 2e-3, rel=1e-6)
+    assert found == pytest.approx([found[0]] * 3, rel=1e-6)  # nearly linear: the angles are small

@@ -21,6 +21,7 @@ from dalembert._studies.runge_kutta_steps import TABLEAUS, Tableau
 from dalembert._studies.stored_rows import Rows
 
 _NEWTON = {"relativeTolerance": 1e-12, "absoluteTolerance": 1e-13}
+_LOOSER = 100.0  # factor of these tolerances if round-off, such as that of prestressed items, is larger
 _SYSTEM_FUNCTIONS = (
     "PreStep",
     "PostStep",
@@ -213,6 +214,12 @@ def record(
     all_times = np.array(times)
     equal = len(times) == steps + 1 and np.max(np.abs(np.diff(all_times) - step_size)) <= 1e-8 * step_size
     if not equal and not settings.events.ofItems and not adaptive:
+        newton = settings.timeIntegration.newton
+        if used.it.rejectedNewtonSteps and newton.relativeTolerance <= _NEWTON["relativeTolerance"]:
+            looser = copy.deepcopy(settings)
+            for name, value in _NEWTON.items():
+                setattr(looser.timeIntegration.newton, name, _LOOSER * value)
+            return record(mbs, looser, solverType, memory, ends)
         raise NotDifferentiable(
             f"there were {len(times) - 1} steps, some of them of other sizes, instead of {steps} equal ones",
             item="time integration",
