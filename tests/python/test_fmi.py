@@ -493,3 +493,22 @@ def test_missing_packages_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         else:
             version: Any = "2.0" if package == "pythonfmu" else "3.0"
             oscillator().export_fmu(tmp_path / "o.fmu", {}, {"x": ("speed", 0)}, 0.1, version=version)
+
+
+OUTSIDE = 5.0
+
+
+def test_models_that_cannot_start_are_not_exported(tmp_path: Path) -> None:
+    def constant(mbs: Any, t: float, load: Any) -> list[float]:
+        return [OUTSIDE, 0, 0]
+
+    model = db.Model()
+    model.create_mass_point("mass", mass=1)
+    model.create_force("force", "mass", load_vector=[1, 0, 0])
+    model["force"].load_vector_user_function = constant
+    with pytest.raises(
+        RuntimeError, match="cannot start: name 'OUTSIDE' is not defined; functions must define or import"
+    ):
+        model.export_fmu(tmp_path / "mass.fmu", {}, {"x": ("mass", "position", 0)}, 1e-3)
+    with pytest.raises(ValueError, match=r"file_name: expected a name that ends with \.fmu"):
+        model.export_fmu(tmp_path / "mass", {}, {"x": ("mass", "position", 0)}, 1e-3)

@@ -28,6 +28,7 @@ from dalembert._model.fmi_signals import (
     parameters_of,
     signal_of,
 )
+from dalembert._model.fmi_slave import Slave
 from dalembert._model.solve import _settings
 
 _SCRIPT = '''"""A model of dalembert {package} as a slave of co-simulation."""
@@ -113,9 +114,22 @@ def export_fmu(
     with tempfile.TemporaryDirectory(prefix="dalembert") as folder:
         model.system.Save(Path(folder, "model.json"), used, sourceOfFunctions=True)
         Path(folder, "signals.json").write_text(json.dumps(facts), "utf-8")
+        _require_start(Path(folder), where)
         made = _built(builder, module, version[0], path, Path(folder))
         with replacing(path) as written:
             shutil.copyfile(made, written)
+
+
+def _require_start(folder: Path, where: str) -> None:
+    """Begin a solution with the files of the FMU: importers give errors of models without their texts."""
+    slave = Slave(str(folder))
+    try:
+        slave.start()
+    except Exception as error:
+        hint = "; functions must define or import all that they use" if isinstance(error, NameError) else ""
+        raise RuntimeError(f"{where}: the exported model cannot start: {error}{hint}") from error
+    finally:
+        slave.stop()
 
 
 def _facts(model: Any, inputs: Any, outputs: Any, parameters: Any, where: str) -> dict[str, Any]:
