@@ -9,11 +9,13 @@ from textwrap import indent
 from types import ModuleType
 from typing import Any
 
+from item_pictures import draw, figure
 from plain_docstrings import as_rst, escaped
 
 from codegen.names import snake_case
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+PICTURES = "create/pictures"
 
 INTRO = """\
 A Create function is a method of ``MainSystem`` that adds a body, a connector, a joint, a load, a sensor or a robot with
@@ -39,7 +41,7 @@ def row(argument: Any) -> str:
     return "   * - " + "\n     - ".join(cells) + "\n"
 
 
-def page(name: str, function: Any, create: ModuleType, examples: dict[str, str]) -> str:
+def page(name: str, function: Any, create: ModuleType, examples: dict[str, str], drawn: set[str]) -> str:
     plain, mirrors = inspect.unwrap(function), create._mirrors
     items = ", ".join(f":ref:`{item} <item-{item}>`" for item in mirrors.MIRRORS.get(name, ()))
     calls = [f".{each}(" for each in (name, snake_case(name))]
@@ -47,6 +49,7 @@ def page(name: str, function: Any, create: ModuleType, examples: dict[str, str])
     return "\n".join(
         (
             f".. _create-{name}:\n\n{heading(name)}",
+            figure(PICTURES, f"{name}.png", "The model of the example.") if name in drawn else "",
             *as_rst(inspect.getdoc(plain).splitlines()),
             f"\n:Items: {items or ':doc:`general contact </general_contact>`'}\n",
             heading("Arguments", "-"),
@@ -70,7 +73,8 @@ def create_pages() -> dict[str, str]:
 
     examples = {path.stem: path.read_text("utf-8") for path in sorted(EXAMPLES.glob("*.py"))}
     functions = create.functions
-    pages = {f"create/{name}.rst": page(name, functions[name], create, examples) for name in functions}
+    drawn = draw(PICTURES, {name: create._mirrors.EXAMPLES[name] for name in functions})
+    pages = {f"create/{name}.rst": page(name, functions[name], create, examples, drawn) for name in functions}
     rows = "".join(
         f"   * - :ref:`{name} <create-{name}>`\n     - {escaped((function.__doc__ or '').splitlines()[0])}\n"
         for name, function in functions.items()

@@ -1,4 +1,4 @@
-"""Pictures for the pages of items: the model of the mini example, as it is after it has run.
+"""Pictures for the pages of items and Create functions: the model of the example, as it is after it has run.
 
 They are made when pages are built, all in one process, and not again before examples or compiled package have changed.
 """
@@ -14,21 +14,20 @@ from pathlib import Path
 from item_drawings import DRAWINGS, draw_items
 
 from codegen.load import load
-from codegen.model import Item
 
 ROOT = Path(__file__).parents[2]
-FOLDER = ROOT / "docs/_generated/reference/items/pictures"
-# Run in a process of its own: a folder, then a name and an example per item, all by standard input.
+GENERATED = ROOT / "docs/_generated"
+# Run in a process of its own: a folder, then a name and an example per page, all by standard input.
 DRAWING = """
 import sys, json
 import numpy as np
 import dalembert as exu
-from dalembert import itemInterface
+from dalembert import itemInterface, utilities
 from dalembert._pictures import painting
 from dalembert._pictures.draw import camera_for
 from dalembert._pictures.studio import Studio
 
-names = {name: value for name, value in vars(itemInterface).items() if not name.startswith("_")}
+names = {name: value for module in (utilities, itemInterface) for name, value in vars(module).items() if name[0] != "_"}
 folder, examples = json.load(sys.stdin)
 
 
@@ -85,37 +84,40 @@ for item, code in examples.items():
     SC = exu.SystemContainer()
     mbs = SC.AddSystem()
     exec(code, names | {"exu": exu, "np": np, "SC": SC, "mbs": mbs})
-    show(mbs, item)
+    if is_item := item.startswith(KINDS):
+        show(mbs, item)
+    elif not mbs.systemIsConsistent:
+        mbs.Assemble()
     scene = Studio(SC).scene()
     if scene.instances or scene.spheres or scene.lines:
-        zoom = 0.7 if add_symbols(SC, scene, item) else 0.95
+        zoom = 0.7 if is_item and add_symbols(SC, scene, item) else 0.95
         fill_picture(SC, zoom)
         mbs.Draw(f"{folder}/{item}.png", windowSize=SIZE, zoom=zoom)
 """
 
 
-def draw(items: list[Item]) -> set[str]:
-    """Draw the examples of items; return the names of those that have anything to be seen."""
-    FOLDER.mkdir(parents=True, exist_ok=True)
+def draw(folder: str, examples: dict[str, str]) -> set[str]:
+    """Draw examples into a folder of the generated pages; return the names of those that have anything to be seen."""
+    path = GENERATED / folder
+    path.mkdir(parents=True, exist_ok=True)
     core = Path(find_spec("dalembert._core").origin)
-    examples = {item.name: item.example.code for item in items}
     state = json.dumps([core.stat().st_mtime_ns, examples])
-    done = FOLDER / "done.txt"
+    done = path / "done.txt"
     if not done.exists() or done.read_text("utf-8") != state:
-        for old in FOLDER.glob("*.png"):
+        for old in path.glob("*.png"):
             old.unlink()
-        text = json.dumps([str(FOLDER), examples])
+        text = json.dumps([str(path), examples])
         subprocess.run(
-            [sys.executable, "-c", DRAWING], input=text, text=True, check=True, stdout=subprocess.DEVNULL, cwd=FOLDER
+            [sys.executable, "-c", DRAWING], input=text, text=True, check=True, stdout=subprocess.DEVNULL, cwd=path
         )
-        for left in FOLDER.glob("coordinatesSolution*"):
+        for left in path.glob("coordinatesSolution*"):
             left.unlink()
         done.write_text(state, "utf-8")
-    return {path.stem for path in FOLDER.glob("*.png")}
+    return {file.stem for file in path.glob("*.png")}
 
 
 def figure(folder: str, file: str, words: str) -> str:
-    place = f".. figure:: /_generated/reference/items/{folder}/{file}\n   :width: 50%\n   :align: right\n"
+    place = f".. figure:: /_generated/{folder}/{file}\n   :width: 50%\n   :align: right\n"
     return f"{place}   :alt: {Path(file).stem}\n\n   {words}\n\n"
 
 
@@ -125,16 +127,17 @@ def with_pictures(pages: dict[str, str]) -> dict[str, str]:
     The picture of an item with a drawing is next to the example. Pictures require the compiled package.
     """
     items = [item for item in load(ROOT).items if item.ready and item.example is not None]
-    drawn = draw(items) if find_spec("dalembert") is not None else set()
+    pictures, examples = "reference/items/pictures", {item.name: item.example.code for item in items}
+    drawn = draw(pictures, examples) if find_spec("dalembert") is not None else set()
     draw_items()
     for item in items:
         path = f"reference/items/{item.stem}.rst"
         place = ":Kind: "
         if item.name in DRAWINGS:
-            sketch = figure("drawings", f"{item.name}.svg", "Symbols of the equations below.")
+            sketch = figure("reference/items/drawings", f"{item.name}.svg", "Symbols of the equations below.")
             pages[path] = pages[path].replace(place, sketch + place, 1)
             place = "Before it, ``mbs`` is an empty system;"
         if item.name in drawn:
-            picture = figure("pictures", f"{item.name}.png", "The model of the mini example.")
+            picture = figure(pictures, f"{item.name}.png", "The model of the mini example.")
             pages[path] = pages[path].replace(place, picture + place, 1)
     return pages
