@@ -193,6 +193,15 @@ def test_code_is_loaded_by_permission_only(tmp_path: Path, monkeypatch: pytest.M
     other.Load(file, allowCode=True)
     assert other.GetObjectParameter("spring", "springForceUserFunction")(other, 0, 2, 3, 0, 5, 0, 0) == 30
 
+    class Law:
+        def force(self, mbs: Any, t: float, number: int, u: float, v: float, k: float, d: float, f: float) -> float:
+            return k * u
+
+    mbs.SetObjectParameter("spring", "springForceUserFunction", Law().force)
+    for with_source in (False, True):
+        with pytest.raises(ValueError, match="Law.force' is a method of an object, which files of models do not have"):
+            mbs.Save(file, sourceOfFunctions=with_source)
+
 
 def test_files_written_by_hand_may_use_names(tmp_path: Path) -> None:
     content = {

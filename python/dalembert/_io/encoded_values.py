@@ -101,6 +101,8 @@ class Encoder:
         module, name = getattr(function, "__module__", None), getattr(function, "__qualname__", "")
         if module and module != "__main__" and _imported(module, name) is function:
             return {"function": f"{module}:{name}"}
+        if inspect.ismethod(function):
+            raise Refused(f"function '{name}' is a method of an object, which files of models do not have")
         if not self._with_source:
             raise Refused(
                 f"function {name or function!r} is in no module that could be imported; put it into a file of its own, "
