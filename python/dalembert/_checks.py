@@ -143,7 +143,8 @@ def as_transformation(name: str, value: Any) -> FloatArray:
     if _is_transformation(value):
         return value
     array = as_matrix(name, value, (4, 4))
-    if not np.allclose(array[3], [0.0, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-8):
+    last = array[3].tolist()
+    if last != [0.0, 0.0, 0.0, 1.0] and not np.allclose(last, [0.0, 0.0, 0.0, 1.0], rtol=0.0, atol=1e-8):
         raise ValueError(f"{shape_error(name, TRANSFORMATION, value)}. Its last row is {array[3].tolist()}.")
     if problem := rotation_problem(array[:3, :3]):
         raise ValueError(f"{shape_error(name, TRANSFORMATION, value)}. Of its rotation matrix: {problem}")

@@ -13,10 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from dalembert._checks import FloatArray, as_matrix, as_rotation, as_transformation, as_vector, floats
-from dalembert._core import _array
+from dalembert._core import _array, _is_transformation
 from dalembert._geometry.rotations import RotationMatrixX, RotationMatrixY, RotationMatrixZ, Skew, Skew2Vec
-
-_FLOAT = np.dtype(float)
 
 
 def HomogeneousTransformation(A: npt.ArrayLike, r: npt.ArrayLike) -> FloatArray:
@@ -78,9 +76,9 @@ def HTrotateZ(angle: float) -> FloatArray:
 
 def HT2translation(T: npt.ArrayLike) -> FloatArray:
     """Return the translation of a 4x4 homogeneous transformation, or of its logarithm (a view of a float array)."""
-    if type(T) is np.ndarray and T.dtype is _FLOAT and T.shape == (4, 4):  # the usual case
-        translation: FloatArray = T[:3, 3]
-        return translation
+    matrix: Any = T
+    if _is_transformation(matrix):  # the usual case
+        return matrix[:3, 3]
     return as_matrix("HT2translation: T", T, (4, 4))[:3, 3]
 
 

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+import dalembert
 from dalembert._checks import FloatArray
 from dalembert._core import (
     ConfigurationType,
@@ -43,7 +44,6 @@ from dalembert._solving.tree_search import (
     TreeLink,
     find_trees,
 )
-from dalembert.graphics import Move
 
 BEFORE = -2  # the link before, as parent
 CLOSED = 1e-6  # m and rad, between the markers of a joint
@@ -228,7 +228,9 @@ def _parameters(model: Model, tree: Tree, node: NodeIndex) -> dict[str, Any]:
         item = model.items("object")[seat.body]
         inertias[seat.link] = inertias[seat.link] + _inertia(item, seat)
         shapes = item["VgraphicsData"] if item["Vshow"] else []
-        drawn[seat.link] += [Move(shape, -seat.turn.T @ seat.origin, seat.turn.T) for shape in shapes]
+        drawn[seat.link] += [
+            dalembert.graphics.Move(shape, -seat.turn.T @ seat.origin, seat.turn.T) for shape in shapes
+        ]
     return {
         "objectType": "KinematicTree",
         "name": f"tree of {model.items('object')[tree.seats[0].body]['name']}",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from inspect import Parameter, Signature
 from typing import TYPE_CHECKING, Any
 
-from dalembert import laws
+import dalembert
 from dalembert._checks import FloatArray, as_number, as_vector, shape_error
 from dalembert.robotics._tendons import AddMarker, add_force, place_of
 
@@ -90,17 +90,19 @@ class RobotActuator:
         if self.activationRange is None:
             return control
         lower, upper = self.activationRange
-        return laws.maximum(laws.minimum(control, (upper - u) / _STOP_TIME), (lower - u) / _STOP_TIME)
+        return dalembert.laws.maximum(
+            dalembert.laws.minimum(control, (upper - u) / _STOP_TIME), (lower - u) / _STOP_TIME
+        )
 
 
 def clipped(value: Any, limits: Sequence[float] | None) -> Any:
     """Return a value in the limits, if there are any."""
-    return value if limits is None else laws.maximum(laws.minimum(value, limits[1]), limits[0])
+    return value if limits is None else dalembert.laws.maximum(dalembert.laws.minimum(value, limits[1]), limits[0])
 
 
 def law(
     actuator: RobotActuator, kind: str, motion: Callable[..., tuple[Any, Any]], result: Callable[[Any], Any]
-) -> laws.Law:
+) -> dalembert.laws.Law:
     """Return the law of an actuator as a connector of a kind.
 
     motion gives coordinate and rate of the joint from those of the connector; result gives what the law returns from
@@ -122,10 +124,10 @@ def law(
         start = as_number(f"RobotActuator '{actuator.name}': control", given)
         parameters.append(Parameter("control", Parameter.POSITIONAL_OR_KEYWORD, default=start))
     vars(drive)["__signature__"] = Signature(parameters)
-    return laws.connector(kind, {"activation": actuator.activation} if has_state else None)(drive)
+    return dalembert.laws.connector(kind, {"activation": actuator.activation} if has_state else None)(drive)
 
 
-def add(mbs: Any, made: laws.Law, markers: list[Any], **parameters: Any) -> Any:
+def add(mbs: Any, made: dalembert.laws.Law, markers: list[Any], **parameters: Any) -> Any:
     """Add an actuator between two markers."""
     if made.states:
         parameters["nodeNumbers"] = made.AddNodes(mbs)
@@ -166,7 +168,7 @@ def add_thruster(robot: Robot, mbs: Any, actuator: RobotActuator, marker: AddMar
             start = as_number(f"RobotActuator '{actuator.name}': control", given)
             parameters.append(Parameter("control", Parameter.POSITIONAL_OR_KEYWORD, default=start))
         vars(wrench)["__signature__"] = Signature(parameters)
-        loads.append(mbs.AddLoad(laws.load(kind)(wrench)(placed, bodyFixed=True)))
+        loads.append(mbs.AddLoad(dalembert.laws.load(kind)(wrench)(placed, bodyFixed=True)))
     return loads
 
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+import dalembert
 from dalembert import itemInterface as items
-from dalembert import laws
 from dalembert._checks import as_number, as_transformation, as_vector
 from dalembert.robotics._tendons import AddMarker, factors_of, place_of
 
@@ -108,7 +108,7 @@ def add_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, node: Any, coo
     markers = [coordinate(i), coordinate(j)]
     if any(coupling.coefficients[2:]):
 
-        @laws.constraint(1, 1)
+        @dalembert.laws.constraint(1, 1)
         def Polynomial(q0: Any, q1: Any, t: Any) -> Any:
             return q0[0] + reference[i] - coupling.Coordinate(q1[0] + at)
 
@@ -130,7 +130,7 @@ def _add_vector_coupling(robot: Robot, mbs: Any, coupling: RobotCoupling, node: 
     own = factors_of(robot, coupling.joint)
     leading = factors_of(robot, coupling.leader) if coupling.leader else np.zeros(len(own))
 
-    @laws.constraint(0, len(own))
+    @dalembert.laws.constraint(0, len(own))
     def Polynomial(q0: Any, q1: Any, t: Any) -> Any:
         length, leader = (sum(each[i] * q1[i] for i in np.flatnonzero(each)) for each in (own, leading))
         return length - coupling.Coordinate(leader)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dalembert import graphics
+import dalembert
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
 from dalembert.robotics._parts import GraphicsList, VRobotLink
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def moved(parts: GraphicsList, T: Any) -> GraphicsList:
     """Return graphics moved from the frame that T leads to."""
-    return [graphics.Move(part, T[:3, 3], T[:3, :3]) for part in parts]
+    return [dalembert.graphics.Move(part, T[:3, 3], T[:3, :3]) for part in parts]
 
 
 def center_of_mass(com: FloatArray, view: VRobotLink) -> GraphicsList:
@@ -25,7 +25,7 @@ def center_of_mass(com: FloatArray, view: VRobotLink) -> GraphicsList:
     if not view.showCOM:
         return []
     darker = [*(0.75 * np.array(view.linkColor[:3])), view.linkColor[3]]
-    return [graphics.Brick(com, [0.2 * view.jointRadius] * 3, darker)]
+    return [dalembert.graphics.Brick(com, [0.2 * view.jointRadius] * 3, darker)]
 
 
 def joint(axis: FloatArray, view: VRobotLink) -> GraphicsList:
@@ -33,14 +33,14 @@ def joint(axis: FloatArray, view: VRobotLink) -> GraphicsList:
     if not view.showMBSjoint or view.jointRadius == 0:
         return []
     along = view.jointWidth * axis
-    return [graphics.Cylinder(-0.5 * along, along, view.jointRadius, graphics.color.grey)]
+    return [dalembert.graphics.Cylinder(-0.5 * along, along, view.jointRadius, dalembert.graphics.color.grey)]
 
 
 def bar(start: FloatArray, end: FloatArray, view: VRobotLink) -> GraphicsList:
     """Return a cylinder from one point to another; nothing if they coincide."""
     if np.linalg.norm(end - start) < 1e-15 or view.linkWidth == 0:
         return []
-    return [graphics.Cylinder(start, end - start, 0.5 * view.linkWidth, view.linkColor)]
+    return [dalembert.graphics.Cylinder(start, end - start, 0.5 * view.linkWidth, view.linkColor)]
 
 
 def link_between(
@@ -56,7 +56,7 @@ def link_between(
         return parts
     half = 0.5 * view.jointWidth
     ends = [(points[1], half * axes[1])] if is_first else [(points[0], -half * axes[0]), (points[1], half * axes[1])]
-    parts += [graphics.Cylinder(p, v, view.jointRadius, view.linkColor) for p, v in ends if np.any(v)]
+    parts += [dalembert.graphics.Cylinder(p, v, view.jointRadius, view.linkColor) for p, v in ends if np.any(v)]
     return parts + bar(points[1], points[0], view)
 
 

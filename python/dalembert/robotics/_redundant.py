@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from dalembert import graphics
+import dalembert
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray, as_rotation, shape_error
 from dalembert._core import NodeType
@@ -154,7 +154,7 @@ def _add_joint(robot: Robot, mbs: Any, link: RobotLink, ends: Ends, options: Opt
         show=link.visualization.showMBSjoint,
         axesRadius=0.25 * link.visualization.jointRadius,
         axesLength=1.1 * link.visualization.jointWidth,
-        color=graphics.color.grey,
+        color=dalembert.graphics.color.grey,
     )
     return mbs.AddObject(
         items.GenericJoint(

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+import dalembert
 from dalembert import itemInterface as items
-from dalembert import laws
 from dalembert._checks import FloatArray, as_number, as_vector, shape_error
 from dalembert.robotics._parts import REGULAR_VELOCITY
 
@@ -50,13 +50,15 @@ class _Elastic:
         """Return the force against growing lengths; arrays as well. stops are stiffness and damping at the limits."""
         tension = beyond(length, self.restLength, self.stiffness) + self.damping * rate
         if self.friction:
-            tension += self.friction * laws.maximum(laws.minimum(rate / REGULAR_VELOCITY, 1.0), -1.0)
+            tension += self.friction * dalembert.laws.maximum(
+                dalembert.laws.minimum(rate / REGULAR_VELOCITY, 1.0), -1.0
+            )
         if self.limits is not None and any(stops):
             lower, upper = self.limits
             push = stops[0] * (length - upper) + stops[1] * rate
-            tension += laws.where(length > upper, laws.maximum(push, 0.0), 0.0)
+            tension += dalembert.laws.where(length > upper, dalembert.laws.maximum(push, 0.0), 0.0)
             push = stops[0] * (length - lower) + stops[1] * rate
-            tension += laws.where(length < lower, laws.minimum(push, 0.0), 0.0)
+            tension += dalembert.laws.where(length < lower, dalembert.laws.minimum(push, 0.0), 0.0)
         return tension
 
 
@@ -120,7 +122,7 @@ def beyond(length: Any, rest: Sequence[float], stiffness: float) -> Any:
     lower, upper = rest
     if lower == upper:
         return stiffness * (length - lower)
-    return stiffness * (laws.maximum(length - upper, 0.0) + laws.minimum(length - lower, 0.0))
+    return stiffness * (dalembert.laws.maximum(length - upper, 0.0) + dalembert.laws.minimum(length - lower, 0.0))
 
 
 def factors_of(robot: Robot, name: str) -> FloatArray:
@@ -151,7 +153,7 @@ def add_force(
         value = tension(length + offset, rate, t, **symbols)
         return [-float(factor) * value if factor else 0.0 for factor in factors]
 
-    law = laws.forces_of_coordinates(forces, len(factors), constants)
+    law = dalembert.laws.forces_of_coordinates(forces, len(factors), constants)
     view = items.VObjectGenericODE2(show=False)
     mass: Any = {"massMatrix": inertia * np.outer(factors, factors)} if inertia else {}
     return mbs.AddObject(items.ObjectGenericODE2(nodeNumbers=[node], forceUserFunction=law, visualization=view, **mass))
@@ -184,7 +186,7 @@ def add_cables(robot: Robot, mbs: Any, marker: AddMarker, stops: tuple[float, fl
         if not cable.HasForce(stops):
             continue
 
-        made = laws.connector("line")(_tension(cable, stops))
+        made = dalembert.laws.connector("line")(_tension(cable, stops))
         ends = [marker(*place_of(robot, frame))[0] for frame in (cable.frame0, cable.frame1)]
         added[name] = mbs.AddObject(made(ends))
     return added
