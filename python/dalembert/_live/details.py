@@ -105,7 +105,7 @@ def curves(mbs: Any, kind: str, number: int, name: str, values: list[tuple[float
 
 
 def finite(values: FloatArray) -> list[float | None]:
-    """Return numbers for a message; None in place of those that JSON does not have."""
+    """Return numbers for a message, with None for infinite ones and NaN, which JSON does not have."""
     return [float(value) if np.isfinite(value) else None for value in values]
 
 

@@ -31,7 +31,7 @@ class Action(NamedTuple):
 
 
 class Forces:
-    """What acts in one system: loads except weight, objects on the body of their second marker, and contacts."""
+    """Forces in one system: of loads except weight, of objects on the body of their second marker, and of contacts."""
 
     def __init__(self) -> None:
         self.references = np.zeros(2)  # force (N) and torque (Nm) of the arrows of full length
