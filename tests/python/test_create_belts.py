@@ -23,7 +23,7 @@ def drive(sizes: Any = RADII, points: Any = ((0, 0, 0), (DISTANCE, 0, 0)), **bel
             )
         )
         model.create_revolute_joint(body_numbers=["ground", pulleys[i]], position=point, axis="z")
-    given = {"body_numbers": pulleys, "positions": points, "radii": sizes, "carrier_number": "ground", **belt}
+    given = {"body_numbers": pulleys, "positions": points, "radii": sizes, **belt}  # the ground carries them
     return model, pulleys, model.create_belt(**{"stiffness": STIFFNESS, **given})
 
 

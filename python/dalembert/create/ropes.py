@@ -20,6 +20,7 @@ from dalembert.create._arguments import (
     argument_error,
     require_axis,
     vector,
+    with_indices,
 )
 from dalembert.create._arguments import color as color_check
 from dalembert.create._frames import reference_position, reference_rotation, require_items
@@ -183,8 +184,9 @@ def CreateBelt(
         raise argument_error(function, "radii", f"a radius other than 0 for each of the {count} pulleys", list(radii))
     require_axis(function, axis)
     require_items(mbs, function, "bodyNumbers", bodyNumbers)
-    require_items(mbs, function, "carrierNumber", [carrierNumber])
-    if len({int(each) for each in (*bodyNumbers, carrierNumber)}) != count + 1:
+    carrier = with_indices(mbs, function, "carrierNumber", carrierNumber)  # the default is a name
+    require_items(mbs, function, "carrierNumber", [carrier])
+    if len({int(each) for each in (*bodyNumbers, carrier)}) != count + 1:
         raise argument_error(function, "bodyNumbers", "different pulleys, without the carrier", bodyNumbers)
     turns, spans = np.array(radii, dtype=float), [(i, (i + 1) % count) for i in range(count)]
     unit = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
@@ -193,18 +195,18 @@ def CreateBelt(
     if (turns > 0).all() and area < 0 or (turns < 0).all() and area > 0:
         expected = "pulleys in the order in which the belt turns about the axis; opposite radii reverse it"
         raise argument_error(function, "bodyNumbers", expected, bodyNumbers)
-    _require_axes_of_joints(mbs, function, carrierNumber, bodyNumbers, points, unit)
-    axes, local_axes = _axes(mbs, axis, turns, [carrierNumber] * count)
+    _require_axes_of_joints(mbs, function, carrier, bodyNumbers, points, unit)
+    axes, local_axes = _axes(mbs, axis, turns, [carrier] * count)
     centers, angles = [], []
     for i, pulley in enumerate(bodyNumbers):
         label = f"Marker{i}:{name}" if name else ""
-        centers.append(_add_marker(mbs, label, carrierNumber, points[i]))
+        centers.append(_add_marker(mbs, label, carrier, points[i]))
         turned = mbs.AddNode(items.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
         angles.append(
             mbs.AddMarker(
                 items.MarkerBodiesRelativeRotationCoordinate(
                     name=f"{label}:angle" if name else "",
-                    bodyNumbers=[carrierNumber, pulley],
+                    bodyNumbers=[carrier, pulley],
                     nodeNumber=turned,
                     axis0=local_axes[i],
                 )
