@@ -58,7 +58,7 @@ def outputs(mbs: Any, kind: str, number: int) -> list[list[str]]:
 
 
 def output(mbs: Any, kind: str, number: int, name: str) -> Any:
-    """Return the value of an output in the state that is shown; None if the item does not have it."""
+    """Return the value of an output in the state that is shown, or None for outputs that the item does not have."""
     if kind == "Sensor":
         return _asked(lambda: mbs.GetSensorValues(number, SHOWN)) if name == "values" else None
     variable = OutputVariableType.__members__[name]

@@ -16,6 +16,7 @@ import numpy as np
 from dalembert._checks import FloatArray, IntArray
 from dalembert._core import ConfigurationType, OutputVariableType, testing
 from dalembert._solving.consistent import _Nodes
+from dalembert._solving.half_turns import objects_of_types
 from dalembert._solving.quiet import assemble_if_needed
 
 _NAME = "ComputeEnergies"
@@ -150,7 +151,7 @@ class MovingSystem:
         mbs, angle = self.mbs, OutputVariableType.Rotation
         turned = bool((np.abs(self.state.data) > np.pi).any())
         stored = {}
-        for i in range(mbs.systemData.NumberOfObjects()):
+        for i in objects_of_types(mbs, ("ConnectorTorsionalSpringDamper", "ConnectorReevingSystemSprings")):
             item = mbs.GetObject(i)
             if turned and item["objectType"] == "ConnectorTorsionalSpringDamper" and item["activeConnector"]:
                 at_rest = float(mbs.GetObjectOutput(i, angle, ConfigurationType.Reference))

@@ -11,7 +11,6 @@ from dalembert._core import ConfigurationType, OutputVariableType, _item_counts
 from dalembert._solving.diagnosis import listed
 
 _TYPES = ("JointGeneric", "JointPrismaticX")
-_KEPT = "jointsThatMayLockRotations"
 
 
 def _locks_all_rotations(item: dict[str, Any]) -> bool:
@@ -25,21 +24,24 @@ def _locks_all_rotations(item: dict[str, Any]) -> bool:
     return all(item["constrainedAxes"][3:])
 
 
-def _candidates(mbs: Any) -> list[int]:
-    """Return the numbers of joints that may lock all rotations, kept as long as numbers of items stay."""
-    counts = _item_counts(mbs)
-    known = mbs.sys.get(_KEPT)
+def objects_of_types(mbs: Any, types: tuple[str, ...], constraints: bool = False) -> list[int]:
+    """Return the numbers of objects of these types, kept as long as numbers of items stay.
+
+    constraints: only objects with algebraic equations are looked at.
+    """
+    counts, key = _item_counts(mbs), f"objects of types {', '.join(types)}"
+    known = mbs.sys.get(key)
     if known is None or known[0] != counts:
         data = mbs.systemData
-        numbers = [i for i in range(data.NumberOfObjects()) if data.GetObjectLTGAE(i)]
-        known = mbs.sys[_KEPT] = counts, [i for i in numbers if mbs.GetObject(i)["objectType"] in _TYPES]
-    return known[1]
+        numbers = [i for i in range(data.NumberOfObjects()) if not constraints or data.GetObjectLTGAE(i)]
+        known = mbs.sys[key] = counts, [i for i in numbers if mbs.GetObject(i)["objectType"] in types]
+    return list(known[1])
 
 
 def turned_joints(mbs: Any, configuration: ConfigurationType) -> list[str]:
     """Return a text for each joint whose frames are on the way to half a turn, or there."""
     found = []
-    for number in _candidates(mbs):
+    for number in objects_of_types(mbs, _TYPES, constraints=True):
         item = mbs.GetObject(number)
         if not _locks_all_rotations(item):
             continue

@@ -10,7 +10,7 @@ import numpy as np
 from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._description import Joint
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._mjcf_elements import Notes, Options, limited_range
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of
@@ -216,13 +216,7 @@ class Actuators:
         return f"of {kind} joints" if kind in ("ball", "floating") else ""
 
     def _range(self, element: Element, name: str) -> tuple[float, float] | None:
-        limited = element.text(_RANGES[name], "auto")
-        if limited == "false" or (limited == "auto" and not (self.compiler.autolimits and name in element.attributes)):
-            return None
-        lower, upper = element.numbers(name, 2)
-        if lower > upper:
-            element.fail(f"{name}: expected two numbers that grow, received {lower:g} and {upper:g}")
-        return float(lower), float(upper)
+        return limited_range(element, self.compiler, name, _RANGES[name])
 
     def complete(self, robot: Robot) -> None:
         """Add the actuators; some depend on the inertias and the limits of their joints."""

@@ -68,6 +68,17 @@ def included(element: Element, folder: Path) -> Element:
     return replace(element, children=children)
 
 
+def limited_range(element: Element, compiler: Compiler, name: str, limited: str) -> tuple[float, float] | None:
+    """Return two numbers of an attribute; None unless another attribute, or its presence, says that they limit."""
+    given = element.text(limited, "auto")
+    if given == "false" or (given == "auto" and not (compiler.autolimits and name in element.attributes)):
+        return None
+    lower, upper = element.numbers(name, 2)
+    if lower > upper:
+        element.fail(f"{name}: expected two numbers that grow, received {lower:g} and {upper:g}")
+    return float(lower), float(upper)
+
+
 def _renamed(element: Element, suffix: str) -> Element:
     """Return a copy of an element in which names have a suffix."""
     attributes = dict(element.attributes)

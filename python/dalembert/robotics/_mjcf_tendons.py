@@ -10,7 +10,7 @@ import numpy as np
 
 from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._mjcf_elements import Notes, Options, limited_range
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import RobotCable, RobotTendon
 from dalembert.robotics._xml import Element
@@ -73,14 +73,7 @@ class Tendons:
 
     def range_of(self, name: str, attribute: str, limited: str) -> tuple[float, float] | None:
         """Return a range of a tendon, if it is limited."""
-        element = self.elements[name]
-        given = element.text(limited, "auto")
-        if given == "false" or (given == "auto" and not (self.compiler.autolimits and attribute in element.attributes)):
-            return None
-        lower, upper = element.numbers(attribute, 2)
-        if lower > upper:
-            element.fail(f"{attribute}: expected two numbers that grow, received {lower:g} and {upper:g}")
-        return float(lower), float(upper)
+        return limited_range(self.elements[name], self.compiler, attribute, limited)
 
     def complete(self, robot: Robot) -> None:
         """Add the tendons.

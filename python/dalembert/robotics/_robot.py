@@ -427,7 +427,7 @@ class Robot:
         return _tree.create(self._driven(start), mbs, name, forceUserFunction, stops, start)
 
     def _keyframe(self, where: str, name: str) -> RobotKeyframe | None:
-        """Return a keyframe by its name; None if there is no name."""
+        """Return a keyframe by its name, or None for an empty name."""
         if not name:
             return None
         if name not in self.keyframes:
