@@ -20,7 +20,7 @@ from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
 from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
+from dalembert.robotics._mjcf_elements import Content, Options, included, left_out, refuse_misspelt, repeated
 from dalembert.robotics._mjcf_equality import WORLD, Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
@@ -59,11 +59,9 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
 class _Reader:
     """Goes through the bodies of a file."""
 
-    def __init__(self, compiler: Compiler, options: Options) -> None:
-        self.compiler, self.options = compiler, options
-        self.bodies: dict[str, Body] = {}
-        self.joints: list[Joint] = []
-        self.notes = Notes()
+    def __init__(self, content: Content) -> None:
+        self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
+        self.bodies, self.joints = content.bodies, content.joints
 
     def _body(self, element: Element, name: str) -> Body:
         if name in self.bodies:
@@ -268,21 +266,21 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     refuse_misspelt(root)
     compiler = Compiler(root, folder, shapes)
     root = repeated(root, compiler)
-    options = Options(root)
-    reader = _Reader(compiler, options)
+    content = Content(root, compiler, Options(root))
+    reader = _Reader(content)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
     reader.bodies_of(world, WORLD, world.text("childclass", "main"))
-    if len(reader.bodies) == 1:
+    if len(content.bodies) == 1:
         root.fail("expected an element <body> in <worldbody>")
-    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != WORLD], compiler)
+    _mjcf_inertia.finish([body for name, body in content.bodies.items() if name != WORLD], compiler)
     reader.rename_sites()
-    tendons = Tendons(root, compiler, options, reader.notes, reader.joints, reader.bodies)
-    actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
-    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)
-    keyframes = Keyframes(root, reader.notes, reader.joints, actuators)
-    left = left_out(root) + reader.notes.texts()
+    tendons = Tendons(content)
+    actuators = Actuators(content, tendons)
+    equality, keyframes = Equality(content, tendons), Keyframes(content, actuators)
+    left = left_out(root) + content.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
     later = [tendons.complete, actuators.complete, equality.complete, keyframes.complete]
-    return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])
+    name, gravity = root.text("model", ""), content.options.gravity
+    return Description(name, content.bodies, content.joints, WORLD, gravity, [*later])

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from dalembert._checks import FloatArray
+from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._xml import Element, read
 
@@ -147,6 +148,32 @@ class Options:
         self.groups_off = {int(group) for group in groups.split()}
         self.off, self.gravity = off, gravity * ("gravity" not in off)
         self.passive = not off >= {"spring", "damper"}  # MuJoCo then leaves out all passive forces, gravcomp as well
+
+
+@dataclass
+class Content:
+    """The elements of a file with its settings, and the bodies and joints that are made of them."""
+
+    root: Element
+    compiler: Compiler
+    options: Options
+    notes: Notes = field(default_factory=Notes)
+    bodies: dict[str, Body] = field(default_factory=dict)
+    joints: list[Joint] = field(default_factory=list)
+
+    @property
+    def named_joints(self) -> dict[str, Joint]:
+        """Return the joints with a name."""
+        return {joint.name: joint for joint in self.joints if joint.name}
+
+    @property
+    def sites(self) -> list[str]:
+        """Return the names of the frames of sites."""
+        return [frame for body in self.bodies.values() for frame in body.frames]
+
+    def elements_of(self, section: str) -> Iterator[Element]:
+        """Give the elements of all sections of a kind."""
+        return (child for group in self.root.every(section) for child in group.children)
 
 
 # Unsupported elements, in the order of the warning, and settings of <option>.

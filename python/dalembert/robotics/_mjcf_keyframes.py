@@ -14,7 +14,7 @@ from dalembert._geometry.rotations import (
 )
 from dalembert.robotics._description import Joint
 from dalembert.robotics._mjcf_actuators import Actuators
-from dalembert.robotics._mjcf_elements import Notes
+from dalembert.robotics._mjcf_elements import Content
 from dalembert.robotics._parts import RobotKeyframe
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._xml import Element
@@ -54,12 +54,12 @@ def _state(joint: Joint, qpos: FloatArray, qvel: FloatArray) -> tuple[FloatArray
 class Keyframes:
     """The keyframes of a file; complete() adds them to the robot. Missing positions are those of the reference."""
 
-    def __init__(self, root: Element, notes: Notes, joints: list[Joint], actuators: Actuators) -> None:
-        self.joints = [joint for joint in joints if joint.kind in _POSITIONS]
+    def __init__(self, content: Content, actuators: Actuators) -> None:
+        self.joints = [joint for joint in content.joints if joint.kind in _POSITIONS]
         self.actuators = actuators
-        self.elements = [child for group in root.every("keyframe") for child in group.every("key")]
+        self.elements = [element for element in content.elements_of("keyframe") if element.tag == "key"]
         if any("act" in element.attributes for element in self.elements) and actuators.unknown_activations:
-            notes.add("act of keyframes with actuators", ", ".join(actuators.unknown_activations))
+            content.notes.add("act of keyframes with actuators", ", ".join(actuators.unknown_activations))
 
     def complete(self, robot: Robot) -> None:
         """Add the keyframes."""
