@@ -109,7 +109,7 @@ class Actuators:
     def __init__(self, content: Content, tendons: Tendons) -> None:
         self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
         self.joints, self.tendons = content.named_joints, tendons
-        self.names: list[str] = []
+        self.models: dict[str, int] = {}  # numbers of the models that actuators belong to, by their names
         self.with_activation: list[str] = []
         self.unknown_activations: list[str] = []  # actuators with a number of activations that is not known here
         self.read: list[tuple[RobotActuator, _Law]] = []
@@ -127,10 +127,11 @@ class Actuators:
 
     def _take(self, element: Element) -> None:
         name = element.text("name", element.text("joint", element.text("tendon", "")))
-        if not name or name in self.names:
-            name = f"actuator {len(self.names)}"
-        self.names.append(name)
-        defaults = self.compiler.actuator_defaults[self.compiler.class_of(element, "main")]
+        if not name or name in self.models:
+            name = f"actuator {len(self.models)}"
+        self.models[name] = element.model
+        compiler = self.compiler.of(element)
+        defaults = compiler.actuator_defaults[compiler.class_of(element, "main")]
         law, common = _Law(), dict[str, str]()
         for each in (*defaults, element):
             law = _next(each, law)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -13,6 +13,10 @@ from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._xml import Element, read
 
+# Kinds of joints by their types in MJCF, and their numbers of positions and rates.
+JOINT_KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
+POSITIONS = {"revolute": 1, "prismatic": 1, "ball": 4, "floating": 7}
+RATES = {"revolute": 1, "prismatic": 1, "ball": 3, "floating": 6}
 _ROTATIONS = "pos quat axisangle euler xyaxes zaxis"
 _BODY_PARTS = (
     "inertial joint freejoint geom attach site camera light plugin composite flexcomp body frame replicate include"
@@ -29,6 +33,7 @@ _KNOWN = {
     "worldbody": ("name childclass", _BODY_PARTS),
     "body": (f"name childclass mocap gravcomp sleep user {_ROTATIONS}", _BODY_PARTS),
     "frame": (f"name childclass {_ROTATIONS}", _BODY_PARTS),
+    "attach": ("model body prefix", ""),
     "inertial": (f"mass diaginertia fullinertia {_ROTATIONS}", ""),
     "freejoint": ("name group align", ""),
     "joint": (
@@ -72,7 +77,7 @@ def included(element: Element, folder: Path) -> Element:
 def limited_range(element: Element, compiler: Compiler, name: str, limited: str) -> tuple[float, float] | None:
     """Return two numbers of an attribute; None unless another attribute, or its presence, says that they limit."""
     given = element.text(limited, "auto")
-    if given == "false" or (given == "auto" and not (compiler.autolimits and name in element.attributes)):
+    if given == "false" or (given == "auto" and not (compiler.of(element).autolimits and name in element.attributes)):
         return None
     lower, upper = element.numbers(name, 2)
     if lower > upper:
@@ -114,6 +119,23 @@ def repeated(element: Element, compiler: Compiler) -> Element:
         inner = repeated(child, compiler)
         children += _frames_of(inner, compiler) if child.tag == "replicate" else [inner]
     return replace(element, children=children)
+
+
+def numbers_of(
+    element: Element, name: str, sizes: Sequence[int], models: Sequence[int], compiler: Compiler
+) -> list[FloatArray | None]:
+    """Return the parts of an attribute that has `size` numbers for each thing of a model and of those attached to it.
+
+    Parts of things of other models are None.
+    """
+    own = compiler.of(element)
+    held = [own.number <= model < own.end for model in models]
+    count = sum(size for size, holds in zip(sizes, held, strict=True) if holds)
+    values, parts = element.numbers(name, count), list[FloatArray | None]()
+    for size, holds in zip(sizes, held, strict=True):
+        parts.append(values[:size] if holds else None)
+        values = values[size:] if holds else values
+    return parts
 
 
 class Notes:

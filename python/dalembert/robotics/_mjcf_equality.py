@@ -12,6 +12,7 @@ from dalembert._geometry.rotations import EulerParameters2RotationMatrix
 from dalembert._geometry.transformations import InverseHT
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._description import translated, turned
+from dalembert.robotics._mjcf_attach import WORLD
 from dalembert.robotics._mjcf_elements import Content
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
@@ -19,7 +20,6 @@ from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
 
 _READ = ("connect", "weld", "joint", "tendon")
-WORLD = "world"
 
 
 class Equality:
@@ -38,7 +38,8 @@ class Equality:
             self._take(element)
 
     def _take(self, element: Element) -> None:
-        defaults = self.compiler.classes[self.compiler.class_of(element, "main")].get("equality", {})
+        compiler = self.compiler.of(element)
+        defaults = compiler.classes[compiler.class_of(element, "main")].get("equality", {})
         element = replace(element, attributes=defaults | element.attributes)
         ends = [element.text(key) for key in _ends(element) if key in element.attributes]
         name = element.text("name", "-".join([element.tag, *ends]))

@@ -32,7 +32,8 @@ class Tendons:
             self._take(element)
 
     def _take(self, element: Element) -> None:
-        defaults = self.compiler.classes[self.compiler.class_of(element, "main")].get("tendon", {})
+        compiler = self.compiler.of(element)
+        defaults = compiler.classes[compiler.class_of(element, "main")].get("tendon", {})
         element = replace(element, attributes=defaults | element.attributes)
         name = element.text("name", f"tendon {len(self.elements)}")
         if element.tag == "spatial":
