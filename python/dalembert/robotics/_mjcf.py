@@ -1,7 +1,8 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
 Bodies, joints, geoms and sites become links, joints, shapes and frames; actuators, tendons, equality constraints and
-keyframes are added to the robot that these make. A warning lists ignored elements, such as muscles and contacts.
+keyframes are added to the robot that these make, and contacts if they are wanted. A warning lists ignored elements,
+such as muscles.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from dalembert.robotics._description import Body, Description, Joint, translated
 from dalembert.robotics._mjcf_actuators import Actuators
 from dalembert.robotics._mjcf_attach import WORLD, opened
 from dalembert.robotics._mjcf_compiler import Compiler
+from dalembert.robotics._mjcf_contacts import Contacts
 from dalembert.robotics._mjcf_elements import JOINT_KINDS, Content, Notes, Options, left_out
 from dalembert.robotics._mjcf_equality import Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
@@ -59,7 +61,8 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
 class _Reader:
     """Goes through the bodies of a file."""
 
-    def __init__(self, content: Content) -> None:
+    def __init__(self, content: Content, contacts: Contacts) -> None:
+        self.contacts = contacts
         self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
         self.bodies, self.joints = content.bodies, content.joints
 
@@ -114,15 +117,14 @@ class _Reader:
         """Draw a geom, and return its inertia if it counts."""
         compiler = self.compiler.of(geom)
         kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
-        touches = any(geom.number(name, "1") for name in ("contype", "conaffinity"))
-        if body.name == WORLD and touches and "contact" not in self.options.off:
-            self.notes.add("contact with geoms of the world", geom.text("name", kind))
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in compiler.weighed_groups
         if needs_inertia and kind == "sdf":
             self.notes.add("mass of geoms of type sdf of bodies", body.name)
-        if not compiler.shapes and (kind == "mesh") and not needs_inertia:
-            return RigidBodyInertia()
-        shape, place = _shape(geom, compiler)
+        if kind == "mesh" and not (compiler.shapes or needs_inertia):
+            shape, place = None, np.eye(4)
+        else:
+            shape, place = _shape(geom, compiler)
+        self.contacts.take(geom, body.name, shape, T @ place)
         if shape is None:
             return RigidBodyInertia()
         if compiler.shapes:
@@ -264,12 +266,13 @@ def _site(site: Element, compiler: Compiler) -> FloatArray:
     return translated(0.5 * (start + end)) @ turned(compiler.from_z(start - end, site))
 
 
-def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
+def read_mjcf(fileName: str | Path, shapes: bool = True, contacts: bool = False) -> Description:
     """Return the description in an MJCF file; errors are raised as ValueError with file and line."""
     notes = Notes()
     root, compiler = opened(fileName, shapes, notes)
     content = Content(root, compiler, Options(root), notes)
-    reader = _Reader(content)
+    touching = Contacts(content, contacts)
+    reader = _Reader(content, touching)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
     reader.bodies_of(world, WORLD, world.text("childclass", "main"))
@@ -280,9 +283,10 @@ def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
     tendons = Tendons(content)
     actuators = Actuators(content, tendons)
     equality, keyframes = Equality(content, tendons), Keyframes(content, actuators)
-    left = left_out(root) + content.notes.texts()
+    touching.finish()
+    left = left_out(root, contacts) + content.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    later = [tendons.complete, actuators.complete, equality.complete, keyframes.complete]
+    later = [each.complete for each in (tendons, actuators, equality, keyframes, touching)]
     name, gravity = root.text("model", ""), content.options.gravity
     return Description(name, content.bodies, content.joints, WORLD, gravity, [*later])

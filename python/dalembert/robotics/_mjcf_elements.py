@@ -167,6 +167,8 @@ class Options:
         off = {name for name, value in flags.items() if value == "disable"}
         if "constraint" in off:
             off |= {"limit", "frictionloss", "equality", "contact"}
+        unusual = {("filterparent", "disable"), ("override", "enable")}
+        self.contact_flags = [name for name, value in flags.items() if (name, value) in unusual]
         self.groups_off = {int(group) for group in groups.split()}
         self.off, self.gravity = off, gravity * ("gravity" not in off)
         self.passive = not off >= {"spring", "damper"}  # MuJoCo then leaves out all passive forces, gravcomp as well
@@ -203,9 +205,10 @@ _ELEMENTS = ("contact", "deformable", "extension")
 _MEDIUM = ("density", "viscosity", "wind")
 
 
-def left_out(root: Element) -> list[str]:
-    """Return the unsupported data of a file, in elements outside of the bodies."""
-    found = [f"<{tag}>" for tag in _ELEMENTS if any(e.children for e in root.every(tag))]
+def left_out(root: Element, contacts: bool = False) -> list[str]:
+    """Return the unsupported data of a file, in elements outside of the bodies; without contacts if these are read."""
+    tags = [tag for tag in _ELEMENTS if not (contacts and tag == "contact")]
+    found = [f"<{tag}>" for tag in tags if any(e.children for e in root.every(tag))]
     for option in root.every("option"):
         found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]
     if any(compiler.text("alignfree", "false") == "true" for compiler in root.every("compiler")):
