@@ -197,7 +197,7 @@ LEFT_OUT = {
     "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
         "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
     ),
-    "contact with geoms of the world 'floor', 'box'": hinged(BOX).replace(
+    "contact, without contacts=True, with geoms of the world 'floor', 'box'": hinged(BOX).replace(
         "<worldbody>",
         '<worldbody><geom name="floor" type="plane" size="1 1 1"/><geom type="box" size="1 1 1" contype="0"/>'
         '<geom size=".1" contype="0" conaffinity="0"/>',

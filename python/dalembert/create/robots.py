@@ -70,7 +70,8 @@ def CreateRobot(
     The default is a kinematic tree, and the dict also has the result of Robot.CreateKinematicTree. If baseMarker is
     given, the robot consists of rigid bodies and joints, and the dict has the result of
     Robot.CreateRedundantCoordinateMBS. Its entry links has the indices of links and joints by name. Springs, damping
-    and dry friction of the file are included.
+    and dry friction of the file are included, and contacts if they are wanted: their law is not that of MuJoCo, see
+    ReadRobot. Bodies that float freely should have a baseMarker, as trees have singular positions.
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 

@@ -30,7 +30,7 @@ class RobotContact:
     Shapes of one link do not touch, nor do those of a link and its parent link, see also Robot.ExcludeContacts. Others
     touch if groups of one and partners of the other, numbers of 32 bits, have a bit in common. Stiffnesses (N/m) are in
     series, and dampers (Ns/m) parallel. A shape of infinite stiffness is rigid. The friction coefficient of a pair is
-    the larger one, or 0 if both shapes are smooth.
+    the larger one, or 0 if both shapes are smooth. Shapes are not drawn; links have graphics of their own.
     """
 
     name: str

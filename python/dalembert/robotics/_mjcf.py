@@ -20,10 +20,10 @@ from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
 from dalembert.robotics._mjcf_actuators import Actuators
-from dalembert.robotics._mjcf_attach import WORLD, opened
+from dalembert.robotics._mjcf_attach import opened
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._mjcf_contacts import Contacts
-from dalembert.robotics._mjcf_elements import JOINT_KINDS, Content, Notes, Options, left_out
+from dalembert.robotics._mjcf_elements import JOINT_KINDS, WORLD, Content, Notes, Options, left_out
 from dalembert.robotics._mjcf_equality import Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame

@@ -11,6 +11,7 @@ from dalembert.robotics._mjcf_elements import (
     JOINT_KINDS,
     POSITIONS,
     RATES,
+    WORLD,
     Notes,
     Options,
     included,
@@ -21,7 +22,6 @@ from dalembert.robotics._mjcf_elements import (
 )
 from dalembert.robotics._xml import Element, read
 
-WORLD = "world"
 _SECTIONS = ("tendon", "equality", "actuator", "contact", "keyframe")
 # What attributes of elements in these sections name; several attributes with a number are possible.
 _NAMED = {

@@ -6,8 +6,7 @@ import numpy as np
 
 from dalembert._checks import FloatArray
 from dalembert.robotics._contacts import RobotContact, effective_masses
-from dalembert.robotics._mjcf_attach import WORLD
-from dalembert.robotics._mjcf_elements import Content
+from dalembert.robotics._mjcf_elements import WORLD, Content
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._shapes import Shape
 from dalembert.robotics._tendons import place_of
@@ -54,7 +53,7 @@ class Contacts:
             return
         if not self.wanted:
             if body == WORLD:
-                self.notes.add("contact with geoms of the world", name)
+                self.notes.add("contact, without contacts=True, with geoms of the world", name)
             return
         if kind not in _SHAPES:
             self.notes.add(f"contact of geoms of type {kind}", name)
@@ -83,8 +82,9 @@ class Contacts:
     def finish(self) -> None:
         """Record differences that depend on several geoms, and on elements outside of the bodies."""
         laws = [tuple(geom.text(what, default).split() for what, default in _LAW.items()) for _, geom in self.read]
+        usual = max(laws, key=laws.count, default=None)
         for (made, _), law in zip(self.read, laws, strict=True):
-            if law != laws[0]:
+            if law != usual:
                 self.notes.add("mixing of different solref and solimp of geoms", made.name)
         for name in self.content.options.contact_flags if self.read else ():
             self.notes.add("flags of <option>", name)

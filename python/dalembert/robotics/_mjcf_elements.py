@@ -13,6 +13,7 @@ from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._xml import Element, read
 
+WORLD = "world"
 # Kinds of joints by their types in MJCF, and their numbers of positions and rates.
 JOINT_KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
 POSITIONS = {"revolute": 1, "prismatic": 1, "ball": 4, "floating": 7}

@@ -12,8 +12,7 @@ from dalembert._geometry.rotations import EulerParameters2RotationMatrix
 from dalembert._geometry.transformations import InverseHT
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._description import translated, turned
-from dalembert.robotics._mjcf_attach import WORLD
-from dalembert.robotics._mjcf_elements import Content
+from dalembert.robotics._mjcf_elements import WORLD, Content
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of

@@ -439,7 +439,7 @@ class Robot:
         object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators,
         constraints and tendons (their objects by name, of tendons those with forces), controls (the names of the
         parameters of actuators that are the controls, see SetControls), and contacts (the general contacts of
-        robot.contacts: as many as it takes for the pairs of shapes that touch).
+        robot.contacts: as many as the pairs of shapes that touch need, as general contact has no filter of pairs).
         """
         start = self._keyframe("Robot.CreateKinematicTree", keyframe)
         stops = limitStiffness, limitDamping
