@@ -15,6 +15,7 @@ from dalembert.robotics import Robot, RobotContact, RobotLink
 from dalembert.robotics._contacts import _sets, _touching, effective_masses
 from dalembert.robotics._tendons import place_of
 from dalembert.robotics.utilities import ReadRobot
+from dalembert.utilities import HTrotateX, HTtranslate
 
 G = 9.81
 # A constant impedance of 0.9: MuJoCo's contact then rests like a spring of k = m / (0.1 T^2).
@@ -36,13 +37,17 @@ def free(geom: str, height: float = 0.1, body: str = "") -> str:
 class Run:
     """A file that is read with contacts, as tree or as bodies, and its last body after a time."""
 
-    def __init__(self, path: Path, text: str, form: str, duration: float, steps: int, recwarn: Any) -> None:
+    def __init__(
+        self, path: Path, text: str, form: str, duration: float, steps: int, recwarn: Any, baseHT: Any = None
+    ) -> None:
         path.write_text(text)
         mbs = exu.SystemContainer().AddSystem()
         base = None
         if form == "bodies":
-            base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
-        self.made = mbs.CreateRobot(path, contacts=True, graphics=False, baseMarker=base)
+            place = [0, 0, 0] if baseHT is None else baseHT[:3, 3]
+            ground = mbs.AddObject(items.ObjectGround())
+            base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=ground, localPosition=place))
+        self.made = mbs.CreateRobot(path, contacts=True, graphics=False, baseMarker=base, baseHT=baseHT)
         self.told = [str(warning.message) for warning in recwarn]
         robot = self.made["robot"]
         last = robot.NumberOfLinks() - 1
@@ -156,6 +161,19 @@ def test_a_ball_rolls_down_a_slope(form: str, tmp_path: Path, recwarn: Any) -> N
     assert exact == pytest.approx(5 / 7 * G * np.sin(a) * 0.5, rel=3e-3)
     assert run.velocity == pytest.approx(exact * np.array([0, -np.cos(a), -np.sin(a)]), abs=2e-4)
     assert run.omega == pytest.approx([exact / arm, 0, 0], abs=2e-3)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_base_carries_its_shapes(form: str, tmp_path: Path, recwarn: Any) -> None:
+    """On a base that is turned by 25 degrees and moved, the ball rolls down a plane that the file has level."""
+    baseHT = np.asarray(HTtranslate([1, 2, 3]) @ HTrotateX(np.deg2rad(25)))
+    run = Run(tmp_path / "robot.xml", scene(free('size=".1"')), form, 0.5, 2000, recwarn, baseHT)
+    a = np.deg2rad(25)
+    deep = 2 * G * np.cos(a) / list(run.made["robot"].contacts.values())[1].stiffness
+    exact = rolling(0.1 - deep) * G * np.sin(a)
+    assert run.velocity == pytest.approx(0.5 * exact * np.array([0, -np.cos(a), -np.sin(a)]), abs=2e-4)
+    place = baseHT @ [0, -exact * 0.5**2 / 2, 0.1 - deep, 1]
+    assert run.position == pytest.approx(place[:3], abs=2e-4)
 
 
 def rolling(arm: float) -> float:
