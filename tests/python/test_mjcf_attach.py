@@ -15,7 +15,7 @@ HAND = """<mujoco model="hand"><compiler angle="radian" eulerseq="zyx" autolimit
 inertiagrouprange="0 2"/>
 <default><joint damping=".3"/><geom contype="0" conaffinity="0" density="300"/><motor gear="7"/><tendon damping=".4"/>
 <default class="stiff"><joint stiffness="4" armature=".2"/></default></default>
-<asset><mesh name="tet" vertex="0 0 0 .3 0 0 0 .3 0 0 0 .3"/></asset>
+<asset><mesh file="tet.obj" scale=".3 .3 .3"/></asset>
 <worldbody><geom name="plate" type="box" size=".2 .1 .05" pos="0 .1 0"/><site name="fixed" pos="0 0 .3"/>
 <frame childclass="stiff" pos="0 0 .1">
 <body name="palm" pos=".2 0 0" euler=".2 .5 -.3"><joint name="wrist" axis="0 1 .2" ref=".1" range="-1 1" limited="true"/>
@@ -40,6 +40,7 @@ ARM = """<mujoco><compiler angle="degree"/>{0}<default><joint damping="9"/><defa
 <geom size=".2" pos=".2 0 0" contype="0" conaffinity="0"/>{1}<body name="tail"><joint name="last" axis="1 0 0"/><geom contype="0" conaffinity="0" size=".1" pos="0 0 .2"/></body>
 </body></worldbody>{2}</mujoco>"""
 DRIVE = '<actuator><motor name="own" joint="shoulder"/></actuator>'
+TET = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 ATTACHED = {
     "body": ARM.format("", '<attach model="tool" body="palm" prefix="left/"/>', DRIVE),
     "named by the model": ARM.format("", '<attach model="hand" body="palm" prefix="left/"/>', ""),
@@ -61,14 +62,20 @@ MOUNT = """<mujoco><asset><model name="inner" file="hand.xml"/></asset><worldbod
 <keyframe><key name="all" qpos="1 2 3 4 5 6" ctrl="7 8 9 10 11"/></keyframe></mujoco>"""
 
 
+def write(file: Path, text: str) -> None:
+    """Write a file and the mesh of the hand, in a folder beside it."""
+    (file.parent / "shapes").mkdir(parents=True, exist_ok=True)
+    (file.parent / "shapes" / "tet.obj").write_text(TET)
+    file.write_text(text)
+
+
 def attached(folder: Path, name: str, constrained: bool = True) -> tuple[Any, list[str]]:
-    """Return the robot of a file and its warnings; the models without constraints have no 'replicate' of names."""
-    (folder / "hands").mkdir()
+    """Return the robot of a file and its warnings."""
     hand = HAND if constrained else HAND.replace(EQUALITY, "")
-    (folder / "hands" / "hand.xml").write_text(hand)
-    (folder / "hands" / "mount.xml").write_text(MOUNT)
+    write(folder / "hands" / "hand.xml", hand)
+    write(folder / "hands" / "mount.xml", MOUNT)
     bare = HAND[: HAND.index("<tendon><fixed name")] + "</mujoco>"
-    (folder / "hands" / "bare.xml").write_text(bare)
+    write(folder / "hands" / "bare.xml", bare)
     return read(folder / "robot.xml", ATTACHED[name])
 
 
@@ -160,8 +167,13 @@ def test_keyframes_of_the_file_have_all_joints(tmp_path: Path, monkeypatch: pyte
 
 def test_settings_that_the_file_replaces_are_named(tmp_path: Path) -> None:
     """Like MuJoCo, the reader takes gravity and flags from the file that attaches."""
-    (tmp_path / "a.xml").write_text(HAND.replace("<asset>", '<option gravity="0 0 -1" wind="1 0 0"/><asset>'))
+    write(tmp_path / "a.xml", HAND.replace("<asset>", '<option gravity="0 0 -1" wind="1 0 0"/><asset>'))
+    write(tmp_path / "plain.xml", HAND)
     text = ARM.format("", '<attach model="tool" body="palm" prefix="p"/>', "").replace("hands/hand.xml", "a.xml")
+    own = text.replace("<asset>", '<option gravity="0 0 -2"/><asset>')
+    robot, told = read(tmp_path / "robot.xml", own.replace("a.xml", "plain.xml"))
+    assert told == []
+    assert robot.gravity.tolist() == [0, 0, -2]
     robot, told = read(tmp_path / "robot.xml", text)
     what = "<option> of attached models 'tool', wind of <option> of attached models 'tool'"
     assert told == [f"{tmp_path / 'robot.xml'}: ignored elements: {what}"]
@@ -190,14 +202,13 @@ WRONG = {
 
 @pytest.mark.parametrize("text", WRONG)
 def test_wrong_attachments_are_refused(text: str, tmp_path: Path) -> None:
-    (tmp_path / "hands").mkdir()
     hand = (
         HAND.replace('name="slide"', 'name="der"').replace('="slide" coef', '="der" coef')
         if "'shoulder'" in text
         else HAND
     )
     hand = hand.replace('name="other"', 'name="m"') if "'arm'" in text else hand
-    (tmp_path / "hands" / "hand.xml").write_text(hand)
+    write(tmp_path / "hands" / "hand.xml", hand)
     with pytest.raises(ValueError) as error:
         read(tmp_path / "robot.xml", ARM.format("", WRONG[text], ""))
     assert text in str(error.value)

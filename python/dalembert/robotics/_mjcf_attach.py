@@ -118,8 +118,11 @@ class _Attachments:
 
     def _note(self, root: Element, name: str) -> None:
         """Record settings of an attached model that those of the file replace, as in MuJoCo, and its ignored parts."""
-        own, options = Options(root), self.options
-        if own.off != options.off or own.groups_off != options.groups_off or (own.gravity != options.gravity).any():
+        own, *others = (
+            (options.off, options.groups_off, options.gravity.tolist())
+            for options in (Options(root), self.options, Options(replace(root, children=[])))
+        )
+        if own not in others:
             self.notes.add("<option> of attached models", name)
         rest = [each for each in root.children if each.tag not in _SECTIONS]
         for what in left_out(replace(root, children=rest)):
