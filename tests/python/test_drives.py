@@ -332,3 +332,32 @@ def test_functions_that_cannot_be_recorded_are_refused(mbs: Any) -> None:
     for name, argument in (("CreateMotor", "torque"), ("CreatePrescribedMotion", "motion")):
         with pytest.raises(TypeError, match="cannot be recorded.*where"):
             getattr(mbs, name)(**place, **{argument: lambda t: 1.0 if t > 1 else 0.0})
+
+
+def test_parameters_that_a_law_replaces_are_refused(mbs: Any) -> None:
+    """They would have no effect; constants of the law, and parameters of items without one, can be set."""
+    model = exu.Model(mbs)
+    wheel, place = wheel_of(mbs)
+    motor = model.create_motor("motor", *place.values(), speed=2.0, damping=3.0)
+    push = model.create_force_from_table("push", "object1", table=[[0, 1], [1, 2]])
+    spring = model.create_torsional_spring_damper("spring", *place.values(), stiffness=1.0)
+    assert wheel == model.bodies[0]
+    motor.damping, spring.stiffness = 4.0, 2.0
+    assert motor.parameters["spring_torque_user_function.damping"] == 4.0 and spring.stiffness == 2.0
+    for set_it, text in (
+        (
+            lambda: setattr(motor, "stiffness", 1.0),
+            "'motor'.*stiffness has no effect, because the law in spring_torque_",
+        ),
+        (
+            lambda: motor.parameters.__setitem__("torque", 1.0),
+            "Set a constant of the law: 'spring_torque_user_function.d",
+        ),
+        (
+            lambda: setattr(push, "load_vector", [1, 0, 0]),
+            "'push'.*load_vector has no effect.*Create the item with ano",
+        ),
+    ):
+        with pytest.raises(ValueError, match=text):
+            set_it()
+    assert motor.parameters.torque == motor.stiffness == 0
