@@ -130,6 +130,10 @@ def unread_parameters(item: str, function: str, recorded: Any) -> tuple[str, ...
     return ()
 
 
+class _NotRecordedError(TypeError):
+    """A function cannot be recorded."""
+
+
 class Law:
     """A recorded function; a call with markers makes an item: Hertz([marker0, marker1], stiffness=500.0).
 
@@ -501,6 +505,8 @@ def _run(function: Callable[..., Any], arguments: list[Any], constants: dict[str
     symbols = {name: _symbolic.Real(name, value)._Open() for name, value in constants.items()}
     try:
         return function(*arguments, **symbols)
+    except _NotRecordedError:  # a function that the law calls, which is named already
+        raise
     except Exception as error:
         line = _line_of(function, error.__traceback__)
         raise TypeError(f"{line}: the law {function.__name__} cannot be recorded: {_reason(error)}") from error
@@ -528,7 +534,8 @@ def _reason(error: Exception) -> str:
     if "has no value while" in text:
         return (
             "a quantity has no value yet, so that float, int, and functions of math cannot be used. Use functions of "
-            "numpy, such as np.sin(x), and array entries in a list: np.array([a, b, c])"
+            "numpy, such as np.sin(x), interpolate(x, xs, ys) of dalembert.laws in place of np.interp, and array "
+            "entries in a list: np.array([a, b, c])"
         )
     if "no callable" in text or "ufunc" in text:
         return (

@@ -87,6 +87,8 @@ def test_missing_items() -> None:
     assert len(model) == 3
     with pytest.raises(AttributeError, match="use model.create_ground"):
         model.CreateGround()
+    with pytest.raises(AttributeError, match="'compute_vibration_modes'; use model.system.ComputeVibrationModes"):
+        _ = model.compute_vibration_modes
     with pytest.raises(AttributeError, match="use model.system.GetObject"):
         model.GetObject(0)
     with pytest.raises(AttributeError, match="Did you mean 'create_rigid_body'"):
@@ -119,6 +121,20 @@ def test_errors_of_create_methods_have_their_names() -> None:
         model.create_mass_point("name", name="other")
     with pytest.raises(ValueError, match=r"model.create_sensor of <MassPoint 'mass'.*no output 'positon'.*'position'"):
         model.create_sensor("mass", "positon")
+    ball = model.create_sphere("ball", mass=1)
+    joint = model.create_revolute_joint(body_numbers=["ground", ball], position=[0, 0, 0], axis="z")
+    with pytest.raises(
+        ValueError, match="output: 'force' is a part of 'wrench_on_marker0', 3 numbers of force and 3 of"
+    ):
+        model.create_sensor(joint, "force")
+    cable = model.create_cable()
+    text = r"body_numbers: expected a body or a marker, .* its ends are \['start'\] and \['end'\]"
+    with pytest.raises(ValueError, match=f"model.create_spherical_joint: {text}"):
+        model.create_spherical_joint(body_numbers=[cable, ball], position=[0, 0, 0])
+    with pytest.raises(
+        ValueError, match=r"'body_numbers\[0\]': expected a body or marker with position and orientation"
+    ):
+        model.create_spherical_joint(body_numbers=[cable["elements"][-1], ball], position=[0, 0, 0])
 
 
 def test_create_methods_are_those_of_the_system() -> None:

@@ -327,7 +327,12 @@ class Handle:
         where = f"{self!r}: output"
         own_output = facts_of(self._item).outputs.get(snake_case(variable)) if isinstance(variable, str) else None
         part = own_output.part if own_output else slice(None)
-        variable = words.member(OutputVariableType, own_output and own_output.source or variable, where)
+        try:
+            variable = words.member(OutputVariableType, own_output and own_output.source or variable, where)
+        except ValueError:
+            known = list(facts_of(self._item).outputs)
+            hint = nearest(snake_case(variable), known) or f". It has {', '.join(known) or 'none'}"
+            raise ValueError(f"{self!r} has no output '{variable}'{hint}") from None
         configuration = words.member(ConfigurationType, configuration, f"{where}: configuration")
         number = self._number()
         assemble_if_needed(self._mbs)

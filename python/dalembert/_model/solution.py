@@ -201,7 +201,10 @@ class Solution:
 
     @property
     def energies(self) -> EnergyHistory:
-        """kinetic, potential and total energy over time (J); potential energy is zero in the reference configuration"""
+        """kinetic, potential and total energy over time (J); potential energy is zero in the reference configuration
+
+        Loads and motors count as well: their forces at rest are part of the potential energy.
+        """
         if self._energies is None:
             from dalembert._solving.energies import ComputeEnergies
 

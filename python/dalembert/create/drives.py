@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
@@ -25,7 +26,7 @@ from dalembert.create._arguments import (
     require_axis,
     vector,
 )
-from dalembert.create._frames import add_joint_markers, joint_place, require_axis_of_plane
+from dalembert.create._frames import add_joint_markers, joint_place, require_axis_of_joint, require_axis_of_plane
 from dalembert.create._signals import SIGNAL, Signal, rate, recorded, signal
 from dalembert.create.connectors import frame_with_z
 from dalembert.create.loads import _load_marker
@@ -75,6 +76,8 @@ class _Axis:
         require_axis(function, axis)
         place = joint_place(mbs, function, bodyNumbers, position, useGlobalFrame)
         require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
+        if is_rotation:
+            require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame))
         frames = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
         self.frames: dict[str, Any] = {"rotationMarker0": frames[0], "rotationMarker1": frames[1]}
         self._mbs, self._place, self._name = mbs, place, name
@@ -239,7 +242,15 @@ def CreateJointStops(
         raise argument_error(function, "lower", "a number, or one for upper", lower)
     if lower is not None and upper is not None and not lower < upper:
         raise argument_error(function, "lower", f"a number below upper={upper:g}", lower)
+    if stiffness <= 0:
+        raise argument_error(function, "stiffness", "a number greater than zero (Nm/rad or N/m)", stiffness)
     constants = {key: float(each) for key, each in (("lower", lower), ("upper", upper)) if each is not None}
+    if constants.get("lower", 0.0) > 0 or constants.get("upper", 0.0) < 0:
+        text = (
+            f"{function}: lower={lower}, upper={upper}: the reference configuration, where the "
+            f"{'angle' if kind == 'rotation' else 'displacement'} is 0, is beyond a stop, which pushes there"
+        )
+        warnings.warn(text, stacklevel=4)
     constants |= {"stiffness": float(stiffness)} | ({"damping": float(damping)} if damping else {})
 
     def force(way: Any, speed: Any, stiffness: Any, lower: Any = None, upper: Any = None, damping: Any = 0.0) -> Any:
@@ -319,6 +330,8 @@ def _force(
 ) -> Any:  # fmt: skip
     if not any(direction):
         raise argument_error(function, "direction", "a vector with 3 components that is not zero", direction)
+    if isinstance(table, (int, float)) and table == 0:
+        raise argument_error(function, "table", f"{SIGNAL}, which is not zero", table)
     along = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     value = signal(function, "table", table, smooth)
     name_of_item = item.__name__
