@@ -137,6 +137,8 @@ def test_errors_name_the_item_and_what_exists(model: Any) -> None:
         _ = spring.stifness
     with pytest.raises(AttributeError, match=r"'spring'.*'stifness'.*'stiffness'\?"):
         spring.stifness = 3
+    with pytest.raises(AttributeError, match="'spring'.*no attribute 'color'; write visualization.color"):
+        spring.color = "red"
     with pytest.raises(AttributeError, match=r"'spring'.*'foo'\. It has active_connector, damping"):
         _ = spring.foo
     with pytest.raises(ValueError, match=r"'spring'.*'stiffness': received -1"):

@@ -601,6 +601,14 @@ def test_wrong_arguments_of_solve() -> None:
             {"end_time": 1, "step_size": 0.1, "outputs": [("mass", "positon")]},
             "'mass'.*no output 'positon'.*'position'",
         ),
+        (
+            {"end_time": 1, "step_size": 0.1, "outputs": ["mass.position.x"]},
+            r"received 'mass.position.x', but expected 'mass.position', .* solution\['mass'\].position\[:, 0\] is the",
+        ),
+        (
+            {"end_time": 1, "step_size": 0.1, "outputs": [("mass", "position", 0)]},
+            "expected a point with 3 numbers as third entry, received 0",
+        ),
         ({"end_time": 1, "step_size": 0.1, "outputs": ["mass"]}, r"write \(mass, 'position'\) for example"),
         ({"end_time": 1, "step_size": 0.1, "every": -1}, "every: expected a finite number that is not negative"),
     ):

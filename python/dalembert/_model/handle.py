@@ -352,6 +352,8 @@ class Handle:
                 hint = f"'{name}' could be the parameter or the output: write parameters.{name} or outputs.{output}"
                 raise missing(f"{self._description()}: ", hint, name, None)
             hint = nearest(name, self._shown) or f". It has {', '.join(self._shown)}"
+            if snake_case(name) in facts_of(self._item).visualization:
+                hint = f"; write visualization.{snake_case(name)}"
             raise missing(text, hint, name, None)
 
         def __setattr__(self, name: str, value: Any) -> None:
