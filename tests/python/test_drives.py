@@ -392,6 +392,17 @@ def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
         model.create_motor(body_numbers=["ground", "rail"], position=[0, 0, 0], axis="x", torque=1.0)
 
 
+def test_drives_of_mass_points_are_refused() -> None:
+    model = exu.Model()
+    place: dict[str, Any] = {"position": [0, 0, 0], "axis": "z"}
+    for planar in (False, True):
+        mass = model.create_mass_point(f"mass{planar}", mass=1, create_2d=planar)
+        with pytest.raises(
+            ValueError, match=r"'body_numbers\[1\]': expected a rigid body, such as a sphere, .*'mass(False|True)'"
+        ):
+            model.create_prescribed_motion(body_numbers=["ground", mass], **place, motion=0.1)
+
+
 def test_drives_without_effect_are_refused_or_announced() -> None:
     model = exu.Model()
     wheel = model.create_cylinder("wheel", radius=1, length=0.1, mass=1)

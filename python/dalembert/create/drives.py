@@ -11,7 +11,7 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert import laws
-from dalembert._core import LoadIndex, MainSystem, ObjectIndex
+from dalembert._core import LoadIndex, MainSystem, MarkerIndex, ObjectIndex
 from dalembert.create._arguments import (
     FLAG,
     NO_PAIR,
@@ -75,6 +75,10 @@ class _Axis:
     ) -> None:
         require_axis(function, axis)
         place = joint_place(mbs, function, bodyNumbers, position, useGlobalFrame)
+        for i, number in enumerate(bodyNumbers):
+            if not isinstance(number, MarkerIndex) and mbs.GetObject(number)["objectType"].startswith("MassPoint"):
+                expected = "a rigid body, such as a sphere, because a mass point has no orientation"
+                raise argument_error(function, f"bodyNumbers[{i}]", expected, mbs.GetObject(number)["name"])
         require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
         if is_rotation:
             require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame))
