@@ -37,6 +37,8 @@ struct ConstraintRates {
   std::vector<CoordinateUnit> units;  // units of the gaps
 };
 // User functions are evaluated slightly later than the state, or earlier close to the latest time.
+std::vector<double> rates_of_gaps(System& system, const State& state, const Conditions& conditions, double latest,
+                                  std::span<const char> of_velocities);
 ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions,
                                  double latest = std::numeric_limits<double>::infinity());
 

@@ -43,24 +43,15 @@ std::string OpenConstraint::text(const System& system) const {
   return item + ": rate of the gap " + format_number(gap) + (bare ? " 1/s" : symbol(unit) + std::string("/s"));
 }
 
-ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest) {
+std::vector<double> rates_of_gaps(System& system, const State& state, const Conditions& conditions, double latest,
+                                  std::span<const char> of_velocities) {
   const auto n = static_cast<std::size_t>(system.sizes().ae);
-  const State still = without_multipliers(state);
   const Conditions position = at_level(conditions, false), rate = at_level(conditions, true);
-  ConstraintRates now{std::vector<double>(n), std::vector<double>(n), std::vector<char>(n),
-                      std::vector<CoordinateUnit>(n)};
-  std::vector<double> along(n), before(n), after(n), later(n);  // `along` is the contribution of the velocities
-  const std::vector<CoordinateUnit> units = system.coordinate_units();
-  each_gradient(system, still, position, along_velocities, [&](int k, int, double) { now.of_velocities[k] = 1; });
-  each_gradient(system, still, rate, along_velocities, [&](int k, int j, double g) {
-    along[k] += g * state.v[j];
-    now.speeds[k] += std::abs(g * state.v[j]);
-    now.units[k] = std::max(now.units[k], units[j]);
-  });
-  system.gaps(still, rate, now.rates);
-  if (conditions.rate_level) return now;  // the solver enforces these rates
+  std::vector<double> rates(n), at_rest(n), before(n), after(n), later(n);
+  State moved = without_multipliers(state);
+  system.gaps(moved, rate, rates);
+  if (conditions.rate_level) return rates;  // the solver enforces these rates
   // User functions may be undefined before the start or after the end: one-sided differences of second order.
-  State moved = still;
   const double length = 1e-5 * std::max(1.0, std::abs(state.time)),
                step = state.time + 2 * length > latest ? -length : length;
   const auto gaps_after = [&](double time, std::vector<double>& gaps) {
@@ -70,9 +61,29 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
   gaps_after(0, before);
   gaps_after(step, after);
   gaps_after(2 * step, later);
+  const auto is_driven = [&](std::size_t k) {
+    return !of_velocities[k] && (after[k] != before[k] || later[k] != before[k]);
+  };
+  moved.time = state.time;
+  std::ranges::fill(moved.v, 0.0);
+  system.gaps(moved, rate, at_rest);
   for (std::size_t k = 0; k < n; ++k)
-    if (!now.of_velocities[k] && (after[k] != before[k] || later[k] != before[k]))
-      now.rates[k] = along[k] + (4 * after[k] - 3 * before[k] - later[k]) / (2 * step);
+    if (is_driven(k)) rates[k] += (4 * after[k] - 3 * before[k] - later[k]) / (2 * step) - at_rest[k];
+  return rates;
+}
+
+ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest) {
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  const State still = without_multipliers(state);
+  ConstraintRates now{{}, std::vector<double>(n), std::vector<char>(n), std::vector<CoordinateUnit>(n)};
+  const std::vector<CoordinateUnit> units = system.coordinate_units();
+  each_gradient(system, still, at_level(conditions, false), along_velocities,
+                [&](int k, int, double) { now.of_velocities[k] = 1; });
+  each_gradient(system, still, at_level(conditions, true), along_velocities, [&](int k, int j, double g) {
+    now.speeds[k] += std::abs(g * state.v[j]);
+    now.units[k] = std::max(now.units[k], units[j]);
+  });
+  now.rates = rates_of_gaps(system, state, conditions, latest, now.of_velocities);
   return now;
 }
 

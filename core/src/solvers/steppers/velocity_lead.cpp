@@ -197,7 +197,8 @@ std::vector<double> VelocityLead::rates_with_lead(double factor, std::span<const
   std::vector<double> rates = rates_at(moved);
   const std::vector<char>& of_velocities = row_kinds().of_velocities;
   if (factor == 0 || std::ranges::none_of(of_velocities, [](char k) { return k != 0; })) return rates;
-  const std::vector<double> without_lead = rates_at(current());
+  std::vector<double> without_lead(rates.size());
+  system().gaps(current(), at_level(conditions_, true), without_lead);
   for (std::size_t k = 0; k < rates.size(); ++k)
     if (of_velocities[k]) rates[k] = without_lead[k];
   return rates;
@@ -206,7 +207,7 @@ std::vector<double> VelocityLead::rates_with_lead(double factor, std::span<const
 // Rates of positions that user functions prescribe in time are computed by finite differences.
 std::vector<double> VelocityLead::rates_at(const State& state) {
   if (std::ranges::any_of(row_kinds().driven, [](char d) { return d != 0; }))
-    return constraint_rates(system(), state, conditions_, method_.last_time()).rates;
+    return rates_of_gaps(system(), state, conditions_, method_.last_time(), row_kinds().of_velocities);
   std::vector<double> rates(state.lambda.size());
   system().gaps(state, at_level(conditions_, true), rates);
   return rates;
