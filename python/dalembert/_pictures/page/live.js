@@ -1,5 +1,6 @@
 // The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
 import { joined, read } from "./data.js";
+import { Grip } from "./grip.js";
 import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
@@ -15,7 +16,7 @@ const PLANES = {
 };
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
 const KEYS = [
-  ...MOUSE, ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
+  ...MOUSE, ["ctrl or cmd, left button", "pull a body while a solver runs; wheel: stiffer, softer"], ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
   ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R", "forces; frames of nodes"], ["O", "perspective or parallel"],
   ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
   [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
@@ -38,6 +39,7 @@ export class Live extends View {
       if (name === "details") this.pick(null);
       if (name === "outputs") this.send("plot", { drop: null });
     });
+    this.grip = new Grip(this);
     this.equip();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
@@ -135,6 +137,7 @@ export class Live extends View {
   }
 
   closed(words) {
+    this.grip.drop(); // the viewer has released it
     this.state.textContent = this.stopped ? "closed" : words;
   }
 
@@ -163,8 +166,7 @@ export class Live extends View {
     this.times.at(head.time);
     this.panels.mark(head.time);
     this.measurePace(head.time);
-    this.words = [this.when(head.time), this.pace, this.forces].filter(Boolean).join("\n");
-    this.tell(this.distance);
+    this.caption();
     this.mark();
     this.wish();
     this.frames += 1;
@@ -209,6 +211,7 @@ export class Live extends View {
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
+      grip: () => this.grip.tell(words.point, words.target),
       details: () => this.picked != null && this.panels.details(words),
       outputs: () => this.panels.outputs(words.curves),
       settings: () => this.panels.settings(words.rows),
@@ -234,6 +237,12 @@ export class Live extends View {
     this.times.at(this.now);
     this.times.plays(plays);
     this.present.disabled = !back;
+  }
+
+  // What is below the time.
+  caption() {
+    this.words = [this.now == null ? "" : this.when(this.now), this.pace, this.forces, this.grip.words].filter(Boolean).join("\n");
+    this.tell(this.distance);
   }
 
   // Look as the viewer says; it need not be told.

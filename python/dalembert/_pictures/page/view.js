@@ -16,6 +16,7 @@ const ROUND_OFF = 1e-6; // of a distance, in its components
 const NARROW = 640; // pixels of a page on which all panels are in one column
 const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
+const RED = 0xcc0d0d; // of what readers have marked
 
 export const MOUSE = [
   ["left, right button", "rotate, move"], ["wheel", "zoom"], ["click", "select an item"], ["shift and two clicks", "measure a distance"],
@@ -274,14 +275,20 @@ export class View {
     this.wish();
   }
 
-  // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
-  hit(x, y, pane) {
+  // From the reader through a place of the window; `pane`: as it is seen there.
+  ray(x, y, pane) {
     const box = (pane?.window ?? this.canvas).getBoundingClientRect(), ray = new Raycaster();
     ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
+    return ray;
+  }
+
+  // What is at a place of the window: number of the item, point, distance; null if there is nothing. `kinds`: of items that count.
+  hit(x, y, pane, kinds) {
     const cuts = pane ? pane.clip : this.renderer.clippingPlanes;
-    const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
+    const hits = this.ray(x, y, pane).intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
     const item = ({ object, instanceId }) => object.userData.items[instanceId ?? 0];
-    const found = hits.find((hit) => this.opacity(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
+    const counts = (number) => this.opacity(number) && (!kinds || kinds.includes(this.items[number]?.[0]));
+    const found = hits.find((hit) => counts(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
     if (!found) return null;
     return { number: item(found), point: found.point, distance: found.distance };
   }
@@ -337,16 +344,26 @@ export class View {
     this.wish();
   }
 
+  // Show something besides the objects of the scene, in the place of what had this name before.
+  exchange(name, object) {
+    const old = this[name];
+    if (old) this.scene.remove(old), old.geometry.dispose(), old.material.dispose();
+    this[name] = object;
+    if (object) this.scene.add(object);
+    this.wish();
+  }
+
+  // A line in front of everything, or none.
+  join(name, points) {
+    const made = points && new Line(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: RED, depthTest: false }));
+    if (made) Object.assign(made, { renderOrder: 1, frustumCulled: false });
+    this.exchange(name, made);
+  }
+
   // A box around what is picked.
   mark() {
-    if (this.box) this.scene.remove(this.box);
-    this.box = null;
-    this.wish();
-    if (this.picked == null || !this.marks || !this.opacity(this.picked)) return;
-    const around = this.around(this.picked);
-    if (around.isEmpty()) return;
-    this.box = new Box3Helper(around, 0xcc0d0d);
-    this.scene.add(this.box);
+    const around = this.picked == null || !this.marks || !this.opacity(this.picked) ? new Box3() : this.around(this.picked);
+    this.exchange("box", around.isEmpty() ? null : new Box3Helper(around, RED));
   }
 
   // The smallest box around an item.
@@ -372,14 +389,10 @@ export class View {
   }
 
   measure(hit) {
-    if (this.ruler) this.scene.remove(this.ruler);
-    this.ruler = null;
     if (!hit) this.ends = [];
     else this.ends = this.ends.length === 1 ? [this.ends[0], hit.point] : [hit.point];
+    this.join("ruler", this.ends.length === 2 ? this.ends : null);
     if (this.ends.length === 2) {
-      this.ruler = new Line(new BufferGeometry().setFromPoints(this.ends), new LineBasicMaterial({ color: 0xcc0d0d, depthTest: false }));
-      this.ruler.renderOrder = 1;
-      this.scene.add(this.ruler);
       const [a, b] = this.ends, along = b.clone().sub(a), length = along.length();
       const parts = [...along].map((part) => (Math.abs(part) < ROUND_OFF * length ? "0" : part.toPrecision(4)));
       this.tell(`distance ${length.toPrecision(6)} m   (${parts.join(", ")})`);
@@ -444,6 +457,7 @@ export class View {
     this.floor?.end();
     this.bare = true;
     this.replace([], []);
+    for (const name of ["box", "ruler", "string"]) this.exchange(name, null);
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }

@@ -1,0 +1,307 @@
+"""Bodies that are pulled with the mouse: the point that is held, what solvers are asked for, and when they are released."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import Browser, Tab, running
+from page_reader import Reader, settings, solving
+from scipy.spatial.transform import Rotation
+
+import dalembert as exu
+from dalembert import _core
+from dalembert._live.pushes import local_point
+from dalembert._live.viewer import Viewer
+from dalembert.utilities import InertiaCuboid
+
+Shown = exu.ConfigurationType.Visualization
+CONTROL, META = 2, 4
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """Calls of the functions that let a solver pull, in place of what they do; connectors are refused."""
+    calls: list[Any] = []
+
+    def push(shadow: Any, number: int, local: Any, target: Any, strength: float) -> None:
+        if "node" not in shadow.system.GetObject(number)["name"] + "".join(shadow.system.GetObject(number)):
+            raise ValueError(f"object {number} does not move")
+        calls.append((number, local, target, strength))
+
+    monkeypatch.setattr(_core._Shadow, "push", push, raising=False)
+    monkeypatch.setattr(_core._Shadow, "release", lambda shadow: calls.append("released"), raising=False)
+    return calls
+
+
+def begin(reader: Reader, head: dict[str, Any], kind: str, number: int, **words: Any) -> None:
+    """Pull an item of a scene that is at (1, 0, 0)."""
+    item = next(n for n, entry in enumerate(head["items"]) if entry[:2] == [kind, number])
+    words = {"time": 0.0, "point": [1.1, 0, 0.05], "target": [2, 3, 4], "strength": 25.0} | words
+    reader.send("push", item=item, scene=head["scene"], **words)
+
+
+def pose(mbs: Any) -> tuple[Any, Any]:
+    """Position and rotation matrix of the brick as it is shown."""
+    place, turned = (
+        mbs.GetObjectOutputBody(1, variable, [0, 0, 0], Shown)
+        for variable in (exu.OutputVariableType.Position, exu.OutputVariableType.RotationMatrix)
+    )
+    return place, np.reshape(turned, (3, 3))
+
+
+# ---- the point that is held
+
+
+def test_local_points_of_bodies_that_turn(mbs: Any) -> None:
+    """A point of a rigid body is R^T (p - x), to round-off of numbers near 1."""
+    rotation = Rotation.from_rotvec([0.3, -0.5, 0.9]).as_matrix()
+    body = mbs.CreateRigidBody(
+        referencePosition=[1, 2, 3], referenceRotationMatrix=rotation, inertia=InertiaCuboid(1000, [0.1, 0.1, 0.1])
+    )
+    mass = mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
+    mbs.Assemble()
+    local = np.array([0.1, -0.2, 0.3])
+    np.testing.assert_allclose(local_point(mbs, body, rotation @ local + [1, 2, 3]), local, atol=1e-14)
+    np.testing.assert_allclose(local_point(mbs, mass, local + [1, 2, 3]), local, atol=1e-14)
+
+
+def test_local_points_of_a_beam_that_is_bent(mbs: Any) -> None:
+    """A cable that is a quarter of a circle in one cubic element: the point of a local position is found again."""
+    nodes = [
+        mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[*where, *slope]))
+        for where, slope in (([0, 0], [1, 0]), ([1, 1], [0, 1]))
+    ]
+    cable = mbs.AddObject(
+        exu.ObjectANCFCable2D(
+            nodeNumbers=nodes, physicsLength=np.pi / 2, physicsMassPerLength=1, physicsBendingStiffness=1,
+            physicsAxialStiffness=1,
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    local = np.array([1.1, 0.02, 0])
+    point = mbs.GetObjectOutputBody(cable, exu.OutputVariableType.Position, local, Shown)
+    np.testing.assert_allclose(local_point(mbs, cable, np.array(point)), local, atol=1e-9)
+    beside = local_point(mbs, cable, np.array([*point[:2], 0.03]))  # nothing is there: the cable is planar
+    np.testing.assert_allclose(beside, local, atol=1e-9)
+
+
+# ---- messages
+
+
+def test_a_drag_pulls_until_the_button_is_let_go(swinging: Any, viewer: Viewer, asked: list[Any]) -> None:
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+    thread = solving(swinging, 10**9, 1.0)  # so slowly that it hardly moves
+    reader.message("frame")
+    begin(reader, head, "Object", 1)
+    told = reader.message("grip")
+    np.testing.assert_allclose(told["point"], [1.1, 0, 0.05], atol=1e-6)
+    assert told["target"] == [2, 3, 4]
+    reader.send("push", target=[2, 3, 5], strength=50)
+    assert reader.message("grip")["target"] == [2, 3, 5]
+    reader.send("release")
+    assert reader.message("grip") == {"kind": "grip", "point": None}
+    for call, target, strength in zip(asked, ((2, 3, 4), (2, 3, 5)), (25, 50), strict=False):
+        assert (call[0], *call[2:]) == (1, target, strength)
+        np.testing.assert_allclose(call[1], [0.1, 0, 0.05], atol=1e-6)
+    assert len(asked) == 3 and asked[2] == "released"
+    reader.send("push", target=[2, 3, 5], strength=50)  # comes too late
+    reader.press("q")
+    thread.join(10)
+    assert len(asked) == 3
+
+
+def test_the_point_is_held_that_readers_have_seen(swinging: Any, viewer: Viewer, asked: list[Any]) -> None:
+    """The brick moves on while they take it: its point is that of the state in the picture."""
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+    for end in (0.5, 1.0):
+        swinging.SolveDynamic(settings(50, end))
+        while reader.picture()[0]["time"] != end:
+            pass
+    thread = solving(swinging)
+    reader.message("frame")
+    times = viewer.past.record_of(0).times
+    assert times[:2].tolist() == [0.0, 0.5]
+    place, turned = viewer.past.record_of(0).at(0.5, lambda: pose(viewer.shadows[0].system))
+    assert place[1] < -0.3  # far from where it was, and is
+    begin(reader, head, "Object", 1, point=(place + turned @ [0.2, 0.1, 0]).tolist(), time=0.5)
+    reader.until(lambda: asked)
+    np.testing.assert_allclose(asked[0][1], [0.2, 0.1, 0], atol=1e-12)
+    reader.press("q")
+    thread.join(10)
+
+
+@pytest.mark.parametrize("how", ["page", "past", "systems", "stop", "another"])
+def test_a_body_is_released(SC: Any, swinging: Any, viewer: Viewer, asked: list[Any], how: str) -> None:
+    """The page is closed, an earlier state or another system is shown, the viewer ends, or another page pulls."""
+    reader, other = Reader(viewer), Reader(viewer)
+    head, _ = reader.message("scene")
+    thread = solving(swinging)
+    reader.message("frame")
+    begin(reader, head, "Node", 0)  # the body on it
+    reader.until(lambda: asked)
+    assert asked[0][0] == 1 and "released" not in asked
+    if how == "page":
+        reader.socket.close()
+    elif how == "past":
+        reader.send("seek", time=0.0)
+    elif how == "systems":
+        SC.AddSystem().CreateMassPoint(physicsMass=1)
+    elif how == "stop":
+        viewer.stop()
+    else:
+        begin(other, head, "Object", 1, target=[0, 0, 7])
+        other.until(lambda: len(asked) >= 3)
+        while reader.message("grip")["point"] is not None:
+            pass
+        reader.send("push", target=[9, 9, 9], strength=1)
+        reader.send("release")  # of what it does not hold any more
+        other.send("push", target=[0, 0, 8], strength=25)
+        other.until(lambda: asked[-1][2:] == ((0, 0, 8), 25))
+        assert asked[1] == "released" and asked.count("released") == 1
+        other.socket.close()
+    other.until(lambda: asked[-1] == "released") if how in ("page", "past", "systems") else None
+    for _ in range(200):
+        if asked[-1] == "released":
+            break
+        thread.join(0.05)
+    assert asked[-1] == "released"
+    swinging.SetRenderEngineStopFlag(True)
+    thread.join(10)
+
+
+def test_what_cannot_be_pulled_is_refused_by_name(swinging: Any, viewer: Viewer, asked: list[Any]) -> None:
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+
+    def refused(kind: str, number: int, **words: Any) -> str:
+        begin(reader, head, kind, number, **words)
+        assert reader.message("grip")["point"] is None
+        return str(reader.message("notice")["text"])
+
+    assert refused("Object", 1) == "push: no solver is running; bodies are pulled while one runs or is paused"
+    thread = solving(swinging)
+    reader.message("frame")
+    spring = refused("Object", 2)
+    assert (
+        spring.startswith("push: object 2 ") and "(ObjectConnectorSpringDamper): has no output variable Pos" in spring
+    )
+    assert refused("Object", 0) == "push: object 0 does not move"
+    marker = refused("Marker", 0)
+    assert marker.startswith("push: marker 0 ") and marker.endswith("belongs to no body; pull a body")
+    assert refused("Object", 1, strength=-1) == "push: expected finite numbers, and a positive strength"
+    assert refused("Object", 1, target=[0, 0, float("nan")]) == "push: expected finite numbers, and a positive strength"
+    reader.send("seek", time=0.0)
+    assert refused("Object", 1).startswith("push: an earlier state is shown")
+    reader.send("push", item=999, scene=head["scene"], time=0.0, point=[0, 0, 0], target=[0, 0, 0], strength=1)
+    assert reader.message("notice")["text"] == "push: the item is not there any more"
+    assert asked == ["released"] * len(asked)
+    reader.press("q")
+    thread.join(10)
+
+
+# ---- in a browser
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with running() as started:
+        yield started
+
+
+@pytest.fixture
+def tab(browser: Browser, viewer: Viewer) -> Iterator[Tab]:
+    opened = browser.tab(viewer.server.address)
+    opened.wait("page.frames > 0 && page.drawn > 0")
+    opened.value("page.look({ rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], center: [1, 0, 0], zoom: 1 })")
+    yield opened
+    assert opened.errors == []
+    opened.close()
+
+
+def mouse(tab: Tab, kind: str, x: float, y: float, held: int = CONTROL, **more: Any) -> None:
+    down = kind != "mouseReleased"
+    tab.call(
+        "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=int(down), clickCount=1,
+        modifiers=held, **more,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("held", [CONTROL, META])
+def test_the_mouse_pulls_a_body_and_a_line_shows_it(
+    swinging: Any, viewer: Viewer, tab: Tab, asked: list[Any], held: int
+) -> None:
+    """The mouse is in the plane through the point that is held; the force is in proportion to the length of the line,
+    5 g per kg if that is half the height of the view."""
+    thread = solving(swinging, 10**9, 1.0)  # so slowly that it hardly moves
+    tab.wait("page.state.textContent === 'solving'")
+    tab.press(" ")
+    tab.wait("page.state.textContent === 'paused'")
+    shown = viewer.shadows[0].system
+    while tab.value("page.now") != shown.systemData.GetTime(Shown):
+        thread.join(0.2)  # its last step is drawn
+    place, turned = pose(shown)
+    before = tab.value("JSON.stringify(page.looking())")
+    x, y = tab.value(f"page.projected({(place + turned @ [0.1, 0, 0.05]).tolist()})")
+    hit = tab.value(f"[...page.hit({x}, {y}).point]")
+    mouse(tab, "mousePressed", x, y, held)
+    mouse(tab, "mouseMoved", x + 2, y, held)
+    assert not asked  # it may be a click
+    mouse(tab, "mouseMoved", x + 60, y - 40, held)
+    tab.wait("page.string?.isLine && page.grip.words.startsWith('pull: ')")
+    target = tab.value("[...page.grip.held.target]")
+    assert tab.value(f"page.projected({target})") == pytest.approx([x + 60, y - 40], abs=1e-3)
+    assert target[2] == pytest.approx(hit[2], abs=1e-9)
+    zoom = tab.value("page.looking().zoom")
+    line = np.reshape(tab.value("[...page.string.geometry.getAttribute('position').array]"), (2, 3))
+    np.testing.assert_allclose(line, [hit, target], atol=1e-6)
+    number, local, pulled, strength = asked[-1]
+    assert (number, pulled) == (1, tuple(target)) and strength == pytest.approx(5 * 9.81 / zoom)
+    np.testing.assert_allclose(place + turned @ local, hit, atol=1e-6)  # a picture is right to that
+    length = np.linalg.norm(np.subtract(target, hit))
+    text = tab.value("page.time.textContent.split('\\n').find((line) => line.startsWith('pull'))")
+    assert float(text.split()[1]) == pytest.approx(strength * length, rel=5e-3) and text.split()[2] == "m/s²"
+    mouse(tab, "mouseWheel", x + 60, y - 40, held, deltaX=0, deltaY=-100)
+    tab.wait("page.grip.factor === 2")
+    mouse(tab, "mouseMoved", x + 61, y - 40, held)
+    mouse(tab, "mouseReleased", x + 61, y - 40, held)
+    tab.wait("!page.string && !page.grip.held && !page.time.textContent.includes('pull')")
+    while asked[-1] != "released":
+        thread.join(0.02)
+    assert asked[-2][3] == pytest.approx(2 * strength)
+    assert tab.value("JSON.stringify(page.looking())") == before
+    swinging.SetRenderEngineStopFlag(True)
+    thread.join(10)
+
+
+def test_without_a_drag_it_is_a_click_and_beside_bodies_the_view_moves(tab: Tab, asked: list[Any]) -> None:
+    x, y = tab.value("page.projected([1, 0, 0.05])")
+    mouse(tab, "mousePressed", x, y)
+    mouse(tab, "mouseReleased", x, y)
+    tab.wait("document.querySelector('[data-name=details] h2')?.textContent === 'object 1'")
+    before = tab.value("JSON.stringify(page.looking().center)")
+    for kind, shift in (("mousePressed", 0), ("mouseMoved", 20), ("mouseMoved", 40), ("mouseReleased", 40)):
+        mouse(tab, kind, x - 200 + shift, y + 100)
+    tab.wait(f"JSON.stringify(page.looking().center) !== '{before}'")
+    assert not asked
+    tab.press("?")
+    assert "pull a body" in tab.wait("document.querySelector('[data-name=help]').textContent")
+
+
+def test_a_refused_body_is_let_go(swinging: Any, tab: Tab, asked: list[Any]) -> None:
+    """No solver runs: a notice says it, and the line goes."""
+    x, y = tab.value("page.projected([1, 0, 0.05])")
+    mouse(tab, "mousePressed", x, y)
+    mouse(tab, "mouseMoved", x + 50, y)
+    assert (
+        tab.wait("page.notice.textContent")
+        == "push: no solver is running; bodies are pulled while one runs or is paused"
+    )
+    tab.wait("!page.grip.held && !page.string")
+    mouse(tab, "mouseMoved", x + 60, y)
+    mouse(tab, "mouseReleased", x + 60, y)
+    assert not asked and tab.value("page.string ?? null") is None
