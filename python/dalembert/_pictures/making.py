@@ -317,6 +317,7 @@ class SceneMaker:
             symbols.sensor(pen, number, item)
         elif drawing := connectors.drawing(item["objectType"]):
             drawing(pen, item)
+            connectors.axes(pen, item)
         else:
             self._draw_body(pen, colors, number, item)
 

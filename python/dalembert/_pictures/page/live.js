@@ -17,7 +17,7 @@ const PLANES = {
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
 const KEYS = [
   ...MOUSE, ["ctrl or cmd, left button", "pull a body while a solver runs; wheel: stiffer, softer"], ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
-  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R", "forces; frames of nodes"], ["O", "perspective or parallel"],
+  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R, J", "forces; frames of nodes, of joints"], ["O", "perspective or parallel"],
   ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
   [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
 ];
@@ -75,7 +75,7 @@ export class Live extends View {
     choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
       (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
     choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
-    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"]],
+    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"], ["j", "frames of joints (J)"]],
       (value) => this.press(value[0], value.length > 1));
     button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
     button("forces", "forces of loads, joints, connectors and contacts as arrows (F)", () => this.send("forces"));
