@@ -315,6 +315,21 @@ def test_round_off_is_zero_on_the_bar_of_colors(SC: Any, viewer: Viewer, tab: Ta
     assert told[0] == "0.6000" and told[-1] == "0" and all(float(number) > 0 for number in told[:-1])
 
 
+def test_one_number_has_one_color_and_close_ones_have_digits_enough(SC: Any, viewer: Viewer, tab: Tab) -> None:
+    SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
+    viewer.redraw()
+    tab.wait("document.querySelectorAll('.contour i').length > 0")
+    read = "[...document.querySelectorAll('.contour i')].filter((i) => i.offsetParent).map((i) => i.textContent)"
+    for value in (0.0, 0.25, -3.0, 2.5e7):
+        assert tab.value(f"(page.range({value}, {value}), {read})") == [f"{value:g}".replace("2.5e+07", "25000000")]
+        assert (
+            tab.value("[...document.querySelectorAll('.contour .row')].filter((row) => row.offsetParent).length") == 1
+        )
+    told = tab.value(f"(page.range(100000, 100000.1), {read})")
+    assert [float(number) for number in told] == pytest.approx([1e5 + 0.025 * k for k in (4, 3, 2, 1, 0)], abs=1e-3)
+    assert tab.value(f"(page.range(0, 5e-7), {read})") == ["5.000e-7", "3.750e-7", "2.500e-7", "1.250e-7", "0"]
+
+
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
     other = browser.tab(viewer.server.address)
     other.wait("page.frames > 0")

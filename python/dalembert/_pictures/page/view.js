@@ -211,17 +211,21 @@ export class View {
     this.range = null;
     if (!contour) return;
     element(this.scale, "div", { textContent: contour.name });
-    const values = [];
+    const values = [], rows = [];
     contour.colors.toReversed().forEach((color, i) => {
       const row = element(this.scale, "div", { className: "row" });
+      rows.push(row);
       element(row, "span").style.background = `rgb(${color.join(",")})`;
       if (i % 3 === 0) values.push([element(row, "i"), i / (contour.colors.length - 1)]);
     });
     this.range = (low, high) => {
-      const least = 1e-9 * Math.max(Math.abs(low), Math.abs(high)); // less is what rounding leaves of zero
+      const size = Math.max(Math.abs(low), Math.abs(high)), least = 1e-9 * size; // less is what rounding leaves of zero
+      const constant = high === low, step = (high - low) / (values.length - 1);
+      const digits = constant ? 0 : Math.min(Math.max(Math.ceil(Math.log10(size / Math.abs(step))) + 2, 4), 15); // numbers differ
+      rows.forEach((row, i) => (row.hidden = constant && i < rows.length - 1)); // the lowest color is that of all
       for (const [place, part] of values) {
-        const number = high + (low - high) * part;
-        place.textContent = Math.abs(number) < least ? "0" : number.toPrecision(4);
+        const number = constant ? low : high + (low - high) * part;
+        place.textContent = constant ? Number(low.toPrecision(6)) : Math.abs(number) < least ? "0" : number.toPrecision(digits);
       }
     };
     if (range) this.range(...range);
