@@ -330,6 +330,21 @@ def test_one_number_has_one_color_and_close_ones_have_digits_enough(SC: Any, vie
     assert tab.value(f"(page.range(0, 5e-7), {read})") == ["5.000e-7", "3.750e-7", "2.500e-7", "1.250e-7", "0"]
 
 
+def test_images_have_the_same_floor(SC: Any, model: Any, viewer: Viewer, tab: Tab) -> None:
+    """The grid of a page and that of images, below the same box."""
+    from dalembert._pictures import floor
+
+    tab.wait("!!page.floor")
+    box = np.array(tab.value("[[...page.floor.box.min], [...page.floor.box.max]]"))
+    shown = tab.value("[...page.floor.object.children[0].geometry.getAttribute('position').array]")
+    lines = [points for points, *_ in floor.lines(box, viewer.studio.upwards())]
+    seen, expected = (
+        np.array(sorted(np.round(np.sort(ends, axis=0), 4).ravel().tolist() for ends in each))
+        for each in (np.reshape(shown, (-1, 2, 3)), lines)
+    )
+    np.testing.assert_allclose(seen, expected, atol=1e-4)  # pages have single precision
+
+
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:
     other = browser.tab(viewer.server.address)
     other.wait("page.frames > 0")

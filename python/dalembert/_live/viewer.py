@@ -493,6 +493,7 @@ class Viewer:
     def _on_forces(self, page: int, message: dict[str, Any]) -> None:
         """Draw arrows of forces, or none."""
         self._forces = not self._forces
+        state_of(self.container.renderer, 0)["showForces"] = self._forces  # images follow
         for maker in self.studio.makers if self.studio is not None else []:
             maker.show_forces(self._forces)
         self._dirty = True

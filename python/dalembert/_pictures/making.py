@@ -146,6 +146,8 @@ class SceneMaker:
         """Draw parts without an item, and compute time and range of the colors."""
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
+        if self.forces is not None and pen.places.source:
+            scene.information.append(self.forces.words(self.looks.size))
         if self.has_traces():
             traces.draw(pen, scene.time, self.stored)
         if self.looks.setting("view0.scene.drawWorldBasis"):
