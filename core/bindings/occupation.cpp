@@ -63,7 +63,12 @@ Work::Work(const std::shared_ptr<MainSystem>& main, SolverWrapper& solver, const
   main->work = solver.work = this;
 }
 
-Work::~Work() { main_->work = solver_.work = outer_; }
+Work::~Work() {
+  main_->work = solver_.work = outer_;
+  if (outer_ != nullptr) return;
+  main_->tap.pull({});
+  main_->tap.take_pull([this](const std::optional<Pull>& none) { main_->system.pull(none); });
+}
 
 std::string Work::text() const { return "it is being solved (" + solver_.solver().name() + ", " + method_ + ")"; }
 

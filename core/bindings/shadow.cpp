@@ -3,6 +3,8 @@
 #include "dalembert/contact/contact_set.hpp"
 #include "python_callback.hpp"
 
+#include <pybind11/stl.h>
+
 namespace dalembert {
 
 Shadow::Shadow(const std::shared_ptr<MainSystem>& original) : original_(original) {}
@@ -19,6 +21,7 @@ Shadow::News Shadow::follow(Tap::Part wanted) {
   news.structure = news.structure || contacts != contacts_;
   contacts_ = contacts;
   if (news.structure) {
+    release();
     copy_items(*original);
     structure_ = structure;
     assembled_ = assembled;
@@ -81,6 +84,31 @@ bool Shadow::follow_state(MainSystem& original, Tap::Part wanted) {
   return !same;
 }
 
+void Shadow::grab(int object, const Vec3<double>& point, int link) {
+  release();
+  System& system = system_->assembled("the viewer");
+  grip_ = system.grip(object, point, link, ConfigurationType::Visualization);
+}
+
+void Shadow::pull(const Vec3<double>& target, double strength) {
+  if (!grip_) return;
+  tell([&](MainSystem& original) {
+    if (original.work != nullptr) original.tap.pull(Pull{*grip_, target, strength});
+  });
+}
+
+void Shadow::release() {
+  if (grip_) tell([](MainSystem& original) { original.tap.pull({}); });
+  grip_.reset();
+}
+
+std::optional<Vec3<double>> Shadow::gripped() const {
+  if (!grip_) return std::nullopt;
+  return system_->system.position_of(*grip_, ConfigurationType::Visualization);
+}
+
+using Numbers = std::array<double, 3>;
+
 void register_shadow(py::module_& module) {
   py::class_<Shadow>(module, "_Shadow", "A copy of a system for viewers, which follows it while it is being solved.")
       .def(py::init<const std::shared_ptr<MainSystem>&>(), py::arg("original"))
@@ -97,6 +125,25 @@ void register_shadow(py::module_& module) {
           "where items are.")
       .def_property_readonly("complete", &Shadow::complete,
                              "Whether all of the state is known, not only where items are.")
+      .def(
+          "grab",
+          [](Shadow& shadow, int object, const Numbers& point, int link) { shadow.grab(object, {point}, link); },
+          py::arg("object"), py::arg("point"), py::arg("link") = -1,
+          "Grip the point of an object that is nearest to a point in space. ValueError: it has no position or no mass, "
+          "or rests.")
+      .def(
+          "pull", [](Shadow& shadow, const Numbers& target, double strength) { shadow.pull({target}, strength); },
+          py::arg("target"), py::arg("strength"),
+          "Let the solver of the original pull the gripped point to `target`, until `release`: a critically damped "
+          "spring, with the stiffness mass x strength (1/s^2).")
+      .def("release", &Shadow::release, "End the pull.")
+      .def_property_readonly(
+          "gripped",
+          [](const Shadow& shadow) -> std::optional<Numbers> {
+            const auto point = shadow.gripped();
+            return point ? std::optional(point->x) : std::nullopt;
+          },
+          "The gripped point, in the state that is shown; None: there is none.")
       .def(
           "pause",
           [](Shadow& shadow, bool flag) { shadow.tell([flag](MainSystem& original) { original.tap.pause(flag); }); },

@@ -21,6 +21,11 @@ class Shadow {
   // Whether the state is known, not only where items are.
   bool complete() const { return is_complete_; }
   const std::shared_ptr<MainSystem>& system() const { return system_; }
+  // Grips the point of an object that is nearest to `point`, in the state that is shown. Pulls reach a running solver.
+  void grab(int object, const Vec3<double>& point, int link);
+  void pull(const Vec3<double>& target, double strength);
+  void release();
+  std::optional<Vec3<double>> gripped() const;
   // Calls f if the original still exists.
   template <class F>
   void tell(F&& f) {
@@ -38,6 +43,7 @@ class Shadow {
   RecordWatch watch_;  // watches the original
   std::uint64_t structure_ = ~std::uint64_t{0}, version_ = 0, contacts_ = 0;
   bool assembled_ = false, is_complete_ = true;
+  std::optional<Grip> grip_;
 };
 
 void register_shadow(py::module_& module);

@@ -328,6 +328,7 @@ void add_interruption(SolverHooks& hooks, const std::shared_ptr<MainSystem>& mai
   };
   hooks.show = [weak, &wanted = main->look_wanted, &seen = *main](bool record_image, const SolverHooks::Look& look) {
     seen.tap.offer(seen.system.state(ConfigurationType::Current), look);
+    seen.tap.take_pull([&seen = seen](const std::optional<Pull>& pull) { seen.system.pull(pull); });
     if (!record_image && !wanted.load(std::memory_order_relaxed)) return;
     const InterpreterLock lock;  // other threads may read it
     const auto locked = weak.lock();

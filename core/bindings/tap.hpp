@@ -1,11 +1,13 @@
-// The state that viewers see while a solver runs: a copy, made on request between two steps.
+// Between a solver and viewers: the state that they see, a copy made on request between two steps; and where they pull.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 
 #include "dalembert/solvers/data.hpp"
+#include "dalembert/system/pull.hpp"
 #include "dalembert/system/state.hpp"
 
 namespace dalembert {
@@ -37,6 +39,14 @@ class Tap {
     filled_ = end;
     next_ = end + rarity * (end - begin);
   }
+  // Calls f(pull) if a viewer has changed it.
+  template <class F>
+  void take_pull(F&& f) {
+    if (!pulls_anew_.load(std::memory_order_relaxed)) return;
+    const std::lock_guard lock(pull_mutex_);
+    pulls_anew_.store(false, std::memory_order_relaxed);
+    f(pull_);
+  }
   bool paused() const { return paused_.load(std::memory_order_relaxed); }
   bool asks() const { return asks_.load(std::memory_order_relaxed); }
 
@@ -65,6 +75,12 @@ class Tap {
     return part_;
   }
   void pause(bool flag) { paused_.store(flag, std::memory_order_relaxed); }
+  // Empty: no more.
+  void pull(const std::optional<Pull>& pull) {
+    const std::lock_guard lock(pull_mutex_);
+    pull_ = pull;
+    pulls_anew_.store(true, std::memory_order_relaxed);
+  }
   // Requests that the solver's thread performs viewer requests between two steps.
   void ask(bool flag) { asks_.store(flag, std::memory_order_relaxed); }
 
@@ -82,6 +98,9 @@ class Tap {
 
   std::atomic<Part> wanted_ = Part::none;
   std::atomic<bool> paused_ = false, asks_ = false;
+  std::atomic<bool> pulls_anew_ = false;
+  std::mutex pull_mutex_;
+  std::optional<Pull> pull_;
   std::mutex mutex_;
   State copy_;
   Part part_ = Part::none;  // the available part

@@ -179,6 +179,7 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
     each(region.nodes, pull_back);
   });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
+  for (const auto& [row, value] : parts.pull_forces) r[row] -= value;
 }
 
 void clear_columns(const RegionPlan& region, const Pattern& pattern, double* values) {

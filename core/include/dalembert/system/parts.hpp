@@ -262,6 +262,8 @@ struct SystemParts {
   std::vector<double> output_multipliers;  // with the sign that they have in equations of motion
   std::vector<double> work;
   std::vector<double> data_before;  // items switch over
+  std::optional<Pull> pull;
+  std::vector<PullForce> pull_forces;  // of this step
   bool evaluating = false;
   bool current_moved = false;  // moved away from the evaluated state to differentiate user functions
   bool recording = false;  // outputs are asked for one after the other, in one state:

@@ -19,6 +19,7 @@
 #include "dalembert/system/evaluation.hpp"
 #include "dalembert/system/node_frame.hpp"
 #include "dalembert/system/pattern.hpp"
+#include "dalembert/system/pull.hpp"
 #include "dalembert/system/regions.hpp"
 #include "dalembert/reflection/storage.hpp"
 #include "dalembert/system/state.hpp"
@@ -263,6 +264,15 @@ class System {
    private:
     System& system_;
   };
+
+  // The point of an object that is nearest to `point`; refuses objects that have no position, no mass, or rest. `link`: of a
+  // kinematic tree.
+  Grip grip(int object, const Vec3<double>& point, int link, ConfigurationType configuration);
+  Vec3<double> position_of(const Grip& grip, ConfigurationType configuration);
+  // Acts from the next step until it is replaced; empty: no pull.
+  void pull(const std::optional<Pull>& pull);
+  bool is_pulled() const;
+  void renew_pull(const State& state, double step_size);  // forces of the step that begins at this state
 
   // The value of a load depends on these coordinates, besides those that it acts on.
   void add_load_dependencies(int load, std::span<const int> coordinates);

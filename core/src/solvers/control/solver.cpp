@@ -365,6 +365,8 @@ void Solver::begin_step() {
   if (newton_settings.modifiedNewtonJacUpdatePerStep) conv.jacobianUpdateRequested = true;
   it.lastStepSize = it.currentStepSize;
   diagnosis_.reason = FailureReason::none;  // resets the reason of an earlier attempt
+  if (system_->is_pulled()) [[unlikely]]
+    system_->renew_pull(current(), it.currentStepSize);
   if (system_->searches()) [[unlikely]]
     search();
 }
