@@ -21,7 +21,7 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
-from dalembert._live.pushes import RELEASED, Push, body_of, local_point
+from dalembert._live.pulls import RELEASED, Pull
 from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
@@ -97,7 +97,7 @@ class Viewer:
         self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[Any, dict[str, Any]] = {}  # last message of the settings, by what else is in it
-        self._push: Push | None = None  # the body that a reader pulls
+        self._pull: Pull | None = None  # the body that a reader pulls
         self._forces = False  # arrows of forces are drawn
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
@@ -130,7 +130,7 @@ class Viewer:
         self.server.tell({"kind": "stopped"})
         if threading.current_thread() is not self._thread:
             self._thread.join(2.0)
-        self._end_push()
+        self._end_pull()
         self.at_end()
         self.server.stop()
 
@@ -262,7 +262,7 @@ class Viewer:
             if moved is not None:
                 self.server.publish(moved)
                 self.pictures += 1
-                self._tell_push()
+                self._tell_pull()
                 return True
         self._lacks = not self._knows_states()
         if self._lacks:
@@ -288,7 +288,7 @@ class Viewer:
         self._words = {known: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1
-        self._tell_push()
+        self._tell_pull()
         if self._home:
             self._home = False
             self.server.tell({"kind": "camera", "camera": camera().words()})
@@ -322,7 +322,7 @@ class Viewer:
         if changed or structure:
             self.past.begin(self.shadows)
             self.plots.drop()
-            self._end_push()
+            self._end_pull()
         state = self.past.take(moved)
         for history in self._histories:
             history.rests = self.past.time is not None
@@ -381,9 +381,7 @@ class Viewer:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
 
     def _on_closed(self, page: int, message: dict[str, Any]) -> None:
-        """Release the body that a reader has pulled on a page that is closed."""
-        if self._push is not None and self._push.page == page:
-            self._end_push()
+        self._on_release(page, message)
 
     def _on_key(self, page: int, message: dict[str, Any]) -> None:
         key, control, shift = str(message["key"]), bool(message["control"]), bool(message["shift"])
@@ -504,31 +502,30 @@ class Viewer:
         if when is not None and not np.isfinite(float(when)) or not 0 < speed < np.inf:
             raise ValueError("expected finite numbers, and a positive speed")
         when = None if when is None else float(when)
-        self._end_push()
+        self._end_pull()
         self.past.seek(when, int(message.get("step", 0)), bool(message.get("plays")), speed)
         self._tell_times()
 
-    def _on_push(self, page: int, message: dict[str, Any]) -> None:
+    def _on_pull(self, page: int, message: dict[str, Any]) -> None:
         """Pull a body: the first message of a drag names item and point, all have the position of the mouse."""
+        target, strength = np.asarray(message["target"], float).reshape(3), float(message["strength"])
         try:
+            if not (np.isfinite(target).all() and 0 < strength < np.inf):
+                raise ValueError("expected finite numbers, and a positive strength")
             if "item" in message:
                 self._hold(page, message)
-            push = self._push
-            if push is not None and push.page == page:
-                target, strength = np.asarray(message["target"], float).reshape(3), float(message["strength"])
-                if not (np.isfinite(target).all() and 0 < strength < np.inf):
-                    raise ValueError("expected finite numbers, and a positive strength")
-                push.pull(target, strength)
-                self._tell_push()
+            if self._pull is not None and self._pull.page == page:
+                self._pull.pull(target.tolist(), strength)
+                self._tell_pull()
         except (RuntimeError, ValueError) as error:  # an item that cannot be pulled
-            self._on_closed(page, message)
+            self._on_release(page, message)
             self.server.tell(RELEASED, page)
             raise ValueError(str(error)) from error
 
     def _hold(self, page: int, message: dict[str, Any]) -> None:
         """Hold the body that a page has picked, in place of the one that was held before."""
         picked = self.stage.item(int(message["scene"]), int(message["item"]))
-        point = np.asarray(message["point"], float).reshape(3)
+        point, time = np.asarray(message["point"], float).reshape(3), float(message["time"])
         if picked is None or not np.isfinite(point).all():
             raise ValueError("the item is not there any more")
         if self.past.time is not None:
@@ -536,29 +533,26 @@ class Viewer:
         shadow = self.shadows[picked.system]
         if not (shadow.solving or self._controls):
             raise ValueError("no solver is running; bodies are pulled while one runs or is paused")
-        mbs, record = shadow.system, self.past.record_of(picked.system)
-        body = body_of(mbs, picked)  # it moves on while readers take it
-        local = record.at(float(message["time"]), lambda: local_point(mbs, body, point))
-        push = Push(page, shadow, body, local)
-        self._end_push()
-        self._push = push
+        self._end_pull()
+        self._pull = Pull(page, shadow, picked, point.tolist(), self.past.record_of(picked.system), time)
 
     def _on_release(self, page: int, message: dict[str, Any]) -> None:
-        """Let go of the body that this page pulls."""
-        self._on_closed(page, message)
+        """Let go of the body that a page pulls."""
+        if self._pull is not None and self._pull.page == page:
+            self._end_pull()
 
     # ---- what they lead to
 
-    def _end_push(self) -> None:
-        """Let go of the body that a reader pulls."""
-        if self._push is not None:
-            push, self._push = self._push, None
-            push.end()
+    def _end_pull(self) -> None:
+        """Let go of the body that a page pulls."""
+        if self._pull is not None:
+            pull, self._pull = self._pull, None
+            pull.end()
             self.server.tell(RELEASED)
 
-    def _tell_push(self) -> None:
-        if self._push is not None and self._push.target:
-            self.server.tell(self._push.words())
+    def _tell_pull(self) -> None:
+        if self._pull is not None:
+            self.server.tell(self._pull.words())
 
     def _leave(self, call: Callable[[], object]) -> None:
         """Leave a function of the user for the thread that works on the systems, or waits."""

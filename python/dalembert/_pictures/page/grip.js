@@ -42,7 +42,7 @@ export class Grip {
   pull(target) {
     const { held, view } = this, { hit, scene, time } = held, begins = held.target ? {} : { item: hit.number, scene, time, point: [...hit.point] };
     held.target = target;
-    view.send("push", { ...begins, target: [...target], strength: this.strength() });
+    view.send("pull", { ...begins, target: [...target], strength: this.strength() });
     this.draw();
   }
 

@@ -9,13 +9,10 @@ import numpy as np
 import pytest
 from browser import Browser, Tab, running
 from page_reader import Reader, settings, solving
-from scipy.spatial.transform import Rotation
 
 import dalembert as exu
 from dalembert import _core
-from dalembert._live.pushes import local_point
-from dalembert._live.viewer import Viewer
-from dalembert.utilities import InertiaCuboid
+from dalembert._live.viewer import Viewer, viewer_of
 
 Shown = exu.ConfigurationType.Visualization
 CONTROL, META = 2, 4
@@ -23,24 +20,40 @@ CONTROL, META = 2, 4
 
 @pytest.fixture
 def asked(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """Calls of the functions that let a solver pull, in place of what they do; connectors are refused."""
+    """Calls of the functions that let a solver pull: object, held point, target, strength; "released"."""
     calls: list[Any] = []
+    grab, pull, release = _core._Shadow.grab, _core._Shadow.pull, _core._Shadow.release
+    held: list[Any] = []
 
-    def push(shadow: Any, number: int, local: Any, target: Any, strength: float) -> None:
-        if "node" not in shadow.system.GetObject(number)["name"] + "".join(shadow.system.GetObject(number)):
-            raise ValueError(f"object {number} does not move")
-        calls.append((number, local, target, strength))
+    def noted_grab(shadow: Any, number: int, point: Any) -> None:
+        grab(shadow, number, point)
+        held[:] = [number, local_point(shadow.system, number, shadow.gripped)]
 
-    monkeypatch.setattr(_core._Shadow, "push", push, raising=False)
-    monkeypatch.setattr(_core._Shadow, "release", lambda shadow: calls.append("released"), raising=False)
+    def noted_pull(shadow: Any, target: Any, strength: float) -> None:
+        pull(shadow, target, strength)
+        calls.append((*held, target, strength))
+
+    def noted_release(shadow: Any) -> None:
+        release(shadow)
+        calls.append("released")
+
+    monkeypatch.setattr(_core._Shadow, "grab", noted_grab)
+    monkeypatch.setattr(_core._Shadow, "pull", noted_pull)
+    monkeypatch.setattr(_core._Shadow, "release", noted_release)
     return calls
+
+
+def local_point(mbs: Any, body: int, point: Any) -> Any:
+    """A point of a rigid body in its frame."""
+    place, turned = pose(mbs)
+    return turned.T @ (np.asarray(point) - place)
 
 
 def begin(reader: Reader, head: dict[str, Any], kind: str, number: int, **words: Any) -> None:
     """Pull an item of a scene that is at (1, 0, 0)."""
     item = next(n for n, entry in enumerate(head["items"]) if entry[:2] == [kind, number])
     words = {"time": 0.0, "point": [1.1, 0, 0.05], "target": [2, 3, 4], "strength": 25.0} | words
-    reader.send("push", item=item, scene=head["scene"], **words)
+    reader.send("pull", item=item, scene=head["scene"], **words)
 
 
 def pose(mbs: Any) -> tuple[Any, Any]:
@@ -50,42 +63,6 @@ def pose(mbs: Any) -> tuple[Any, Any]:
         for variable in (exu.OutputVariableType.Position, exu.OutputVariableType.RotationMatrix)
     )
     return place, np.reshape(turned, (3, 3))
-
-
-# ---- the point that is held
-
-
-def test_local_points_of_bodies_that_turn(mbs: Any) -> None:
-    """A point of a rigid body is R^T (p - x), to round-off of numbers near 1."""
-    rotation = Rotation.from_rotvec([0.3, -0.5, 0.9]).as_matrix()
-    body = mbs.CreateRigidBody(
-        referencePosition=[1, 2, 3], referenceRotationMatrix=rotation, inertia=InertiaCuboid(1000, [0.1, 0.1, 0.1])
-    )
-    mass = mbs.CreateMassPoint(referencePosition=[1, 2, 3], physicsMass=1)
-    mbs.Assemble()
-    local = np.array([0.1, -0.2, 0.3])
-    np.testing.assert_allclose(local_point(mbs, body, rotation @ local + [1, 2, 3]), local, atol=1e-14)
-    np.testing.assert_allclose(local_point(mbs, mass, local + [1, 2, 3]), local, atol=1e-14)
-
-
-def test_local_points_of_a_beam_that_is_bent(mbs: Any) -> None:
-    """A cable that is a quarter of a circle in one cubic element: the point of a local position is found again."""
-    nodes = [
-        mbs.AddNode(exu.NodePoint2DSlope1(referenceCoordinates=[*where, *slope]))
-        for where, slope in (([0, 0], [1, 0]), ([1, 1], [0, 1]))
-    ]
-    cable = mbs.AddObject(
-        exu.ObjectANCFCable2D(
-            nodeNumbers=nodes, physicsLength=np.pi / 2, physicsMassPerLength=1, physicsBendingStiffness=1,
-            physicsAxialStiffness=1,
-        )
-    )  # fmt: skip
-    mbs.Assemble()
-    local = np.array([1.1, 0.02, 0])
-    point = mbs.GetObjectOutputBody(cable, exu.OutputVariableType.Position, local, Shown)
-    np.testing.assert_allclose(local_point(mbs, cable, np.array(point)), local, atol=1e-9)
-    beside = local_point(mbs, cable, np.array([*point[:2], 0.03]))  # nothing is there: the cable is planar
-    np.testing.assert_allclose(beside, local, atol=1e-9)
 
 
 # ---- messages
@@ -100,17 +77,17 @@ def test_a_drag_pulls_until_the_button_is_let_go(swinging: Any, viewer: Viewer, 
     told = reader.message("grip")
     np.testing.assert_allclose(told["point"], [1.1, 0, 0.05], atol=1e-6)
     assert told["target"] == [2, 3, 4]
-    reader.send("push", target=[2, 3, 5], strength=50)
+    reader.send("pull", target=[2, 3, 5], strength=50)
     while reader.message("grip")["target"] != [2, 3, 5]:  # each picture is followed by one
         pass
     reader.send("release")
     while reader.message("grip") != {"kind": "grip", "point": None}:
         pass
     for call, target, strength in zip(asked, ((2, 3, 4), (2, 3, 5)), (25, 50), strict=False):
-        assert (call[0], *call[2:]) == (1, target, strength)
+        assert (call[0], *call[2:]) == (1, list(target), strength)
         np.testing.assert_allclose(call[1], [0.1, 0, 0.05], atol=1e-6)
     assert len(asked) == 3 and asked[2] == "released"
-    reader.send("push", target=[2, 3, 5], strength=50)  # comes too late
+    reader.send("pull", target=[2, 3, 5], strength=50)  # comes too late
     reader.press("q")
     thread.join(10)
     assert len(asked) == 3
@@ -137,6 +114,32 @@ def test_the_point_is_held_that_readers_have_seen(swinging: Any, viewer: Viewer,
     thread.join(10)
 
 
+def test_a_free_mass_comes_to_the_mouse(mbs: Any, SC: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its node is drawn in its place. It comes to rest at the target: a critically damped spring, in steps that are short for 10 rad/s."""
+    mass = mbs.CreateMassPoint(physicsMass=2, referencePosition=[1, 0, 0], drawSize=0.3)
+    mbs.Assemble()
+    monkeypatch.setenv("DALEMBERT_VIEWER", "on")
+    SC.renderer.Start()
+    viewer = viewer_of(SC)
+    assert viewer is not None
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+    thread = solving(mbs)
+    reader.message("frame")
+    begin(reader, head, "Node", 0, point=[1, 0, 0], target=[2, 3, 4], strength=100.0)
+    while not np.allclose(reader.message("grip")["point"], [2, 3, 4], rtol=0, atol=1e-6):
+        pass
+    reader.send("pull", target=[-1, 0, 0], strength=100.0)
+    while not np.allclose(reader.message("grip")["point"], [-1, 0, 0], rtol=0, atol=1e-6):
+        pass
+    reader.send("release")
+    reader.press("q")
+    thread.join(10)
+    place = mbs.GetObjectOutputBody(mass, exu.OutputVariableType.Position)
+    np.testing.assert_allclose(place, [-1, 0, 0], atol=1e-5)  # it was at rest
+    SC.renderer.Stop()
+
+
 @pytest.mark.parametrize("how", ["page", "past", "systems", "stop", "another"])
 def test_a_body_is_released(SC: Any, swinging: Any, viewer: Viewer, asked: list[Any], how: str) -> None:
     """The page is closed, an earlier state or another system is shown, the viewer ends, or another page pulls."""
@@ -160,10 +163,10 @@ def test_a_body_is_released(SC: Any, swinging: Any, viewer: Viewer, asked: list[
         other.until(lambda: len(asked) >= 3)
         while reader.message("grip")["point"] is not None:
             pass
-        reader.send("push", target=[9, 9, 9], strength=1)
+        reader.send("pull", target=[9, 9, 9], strength=1)
         reader.send("release")  # of what it does not hold any more
-        other.send("push", target=[0, 0, 8], strength=25)
-        other.until(lambda: asked[-1][2:] == ((0, 0, 8), 25))
+        other.send("pull", target=[0, 0, 8], strength=25)
+        other.until(lambda: asked[-1][2:] == ([0, 0, 8], 25))
         assert asked[1] == "released" and asked.count("released") == 1
         other.socket.close()
     other.until(lambda: asked[-1] == "released") if how in ("page", "past", "systems") else None
@@ -185,22 +188,20 @@ def test_what_cannot_be_pulled_is_refused_by_name(swinging: Any, viewer: Viewer,
         assert reader.message("grip")["point"] is None
         return str(reader.message("notice")["text"])
 
-    assert refused("Object", 1) == "push: no solver is running; bodies are pulled while one runs or is paused"
+    assert refused("Object", 1) == "pull: no solver is running; bodies are pulled while one runs or is paused"
     thread = solving(swinging)
     reader.message("frame")
     spring = refused("Object", 2)
-    assert (
-        spring.startswith("push: object 2 ") and "(ObjectConnectorSpringDamper): has no output variable Pos" in spring
-    )
-    assert refused("Object", 0) == "push: object 0 does not move"
+    assert spring.startswith("pull: object 2 ") and spring.endswith("cannot be pulled, because it has no position.")
+    assert refused("Object", 0).endswith("(ObjectGround): cannot be pulled, because it does not move.")
     marker = refused("Marker", 0)
-    assert marker.startswith("push: marker 0 ") and marker.endswith("belongs to no body; pull a body")
-    assert refused("Object", 1, strength=-1) == "push: expected finite numbers, and a positive strength"
-    assert refused("Object", 1, target=[0, 0, float("nan")]) == "push: expected finite numbers, and a positive strength"
+    assert marker.startswith("pull: marker 0 ") and marker.endswith("belongs to no body; pull a body")
+    assert refused("Object", 1, strength=-1) == "pull: expected finite numbers, and a positive strength"
+    assert refused("Object", 1, target=[0, 0, float("nan")]) == "pull: expected finite numbers, and a positive strength"
     reader.send("seek", time=0.0)
-    assert refused("Object", 1).startswith("push: an earlier state is shown")
-    reader.send("push", item=999, scene=head["scene"], time=0.0, point=[0, 0, 0], target=[0, 0, 0], strength=1)
-    assert reader.message("notice")["text"] == "push: the item is not there any more"
+    assert refused("Object", 1).startswith("pull: an earlier state is shown")
+    reader.send("pull", item=999, scene=head["scene"], time=0.0, point=[0, 0, 0], target=[0, 0, 0], strength=1)
+    assert reader.message("notice")["text"] == "pull: the item is not there any more"
     assert asked == ["released"] * len(asked)
     reader.press("q")
     thread.join(10)
@@ -264,7 +265,7 @@ def test_the_mouse_pulls_a_body_and_a_line_shows_it(
     while not asked:
         thread.join(0.02)
     number, local, pulled, strength = asked[-1]
-    assert (number, pulled) == (1, tuple(target)) and strength == pytest.approx(5 * 9.81 / zoom)
+    assert (number, pulled) == (1, target) and strength == pytest.approx(5 * 9.81 / zoom)
     np.testing.assert_allclose(place + turned @ local, hit, atol=1e-6)  # a picture is right to that
     length = np.linalg.norm(np.subtract(target, hit))
     text = tab.value("page.time.textContent.split('\\n').find((line) => line.startsWith('pull'))")
@@ -303,7 +304,7 @@ def test_a_refused_body_is_let_go(swinging: Any, tab: Tab, asked: list[Any]) -> 
     mouse(tab, "mouseMoved", x + 50, y)
     assert (
         tab.wait("page.notice.textContent")
-        == "push: no solver is running; bodies are pulled while one runs or is paused"
+        == "pull: no solver is running; bodies are pulled while one runs or is paused"
     )
     tab.wait("!page.grip.held && !page.string")
     mouse(tab, "mouseMoved", x + 60, y)
