@@ -43,12 +43,14 @@ export class Live extends View {
     this.equip();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
-    for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event));
+    this.deaf = new AbortController();
+    for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event), { signal: this.deaf.signal });
     link.start(this);
   }
 
   end() {
     clearInterval(this.reports);
+    this.deaf.abort();
     this.close();
     super.end();
   }
@@ -119,8 +121,9 @@ export class Live extends View {
 
   // A solution that the reader looks through, in front of what is live.
   async replay(data) {
-    this.close();
     const { head, arrays } = await read(data);
+    this.close(); // another one may have come meanwhile
+    if (this.ended) return;
     const place = element(this.place, "div", { className: "page replay" });
     this.motion = new Motion(place, head, arrays);
     element(this.motion.tools, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });

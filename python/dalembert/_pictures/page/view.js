@@ -138,7 +138,7 @@ export class View {
     if (this.floor && this.upwards === this.floor.up && !this.floor.pierced(box) && !this.bare) return;
     if (this.floor) this.scene.remove(this.floor.object), this.floor.end();
     const far = this.floor && this.upwards === this.floor.up ? this.floor.box : box;
-    this.floor = this.bare || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
+    this.floor = this.bare || !(box.min.distanceTo(box.max) > 0) || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
     if (this.floor) this.scene.add(Object.assign(this.floor, { box: far }).object);
     this.wish();
   }
@@ -162,9 +162,10 @@ export class View {
     this.mark();
   }
 
-  // The panel of all items, if it is open.
+  // The panel of all items, if it is open, and others are drawn now: readers may be at its search.
   list() {
-    if (this.panels?.open.items) this.panels.items(this);
+    const { items } = this.panels?.open ?? {};
+    if (items && items.shown !== JSON.stringify(this.items)) this.panels.items(this);
   }
 
   paint(background) {
@@ -263,6 +264,7 @@ export class View {
 
   dark() {
     this.isDark = !this.isDark;
+    if (this.texts) this.write(this.texts, this.places);
     this.paint();
   }
 
@@ -420,7 +422,7 @@ export class View {
       if (label.textContent !== text) label.textContent = text;
       label.style.color = this.isDark ? "inherit" : `rgb(${255 * red}, ${255 * green}, ${255 * blue})`;
     }
-    this.places = places;
+    Object.assign(this, { texts, places });
   }
 
   // Texts at one point stand below each other.
@@ -456,6 +458,7 @@ export class View {
   end() {
     this.ended = true;
     this.watcher.disconnect();
+    if (this.film) this.shoot();
     this.controls.dispose();
     for (const pane of this.panes) pane.end();
     this.floor?.end();
