@@ -11,8 +11,10 @@ from browser import Browser, Tab, running
 from page_reader import Reader, settings, solving
 
 import dalembert as exu
-from dalembert import _core
+from dalembert import _core, graphics
 from dalembert._live.viewer import Viewer, viewer_of
+from dalembert._pictures.making import SceneMaker
+from dalembert._pictures.trees import distance
 
 Shown = exu.ConfigurationType.Visualization
 CONTROL, META = 2, 4
@@ -25,8 +27,8 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     grab, pull, release = _core._Shadow.grab, _core._Shadow.pull, _core._Shadow.release
     held: list[Any] = []
 
-    def noted_grab(shadow: Any, number: int, point: Any) -> None:
-        grab(shadow, number, point)
+    def noted_grab(shadow: Any, number: int, point: Any, link: int) -> None:
+        grab(shadow, number, point, link)
         held[:] = [number, local_point(shadow.system, number, shadow.gripped)]
 
     def noted_pull(shadow: Any, target: Any, strength: float) -> None:
@@ -138,6 +140,33 @@ def test_a_free_mass_comes_to_the_mouse(mbs: Any, SC: Any, monkeypatch: pytest.M
     place = mbs.GetObjectOutputBody(mass, exu.OutputVariableType.Position)
     np.testing.assert_allclose(place, [-1, 0, 0], atol=1e-5)  # it was at rest
     SC.renderer.Stop()
+
+
+@pytest.mark.parametrize("with_shapes", [False, True])
+def test_links_of_trees_are_found_by_their_surface(mbs: Any, with_shapes: bool) -> None:
+    """Three links of 1 m in a row; a rod before a joint belongs to the link before it, the first one to the base."""
+    node = mbs.AddNode(
+        exu.NodeGenericODE2(
+            numberOfODE2Coordinates=3, referenceCoordinates=[0.0] * 3, initialCoordinates=[0.0, np.pi / 2, 0.0],
+            initialCoordinates_t=[0.0] * 3,
+        )
+    )  # fmt: skip
+    shapes = [[graphics.Brick(centerPoint=[0.5, 0, 0], size=[0.8, 0.2, 0.2])]] * 3 if with_shapes else []
+    tree = mbs.AddObject(
+        exu.ObjectKinematicTree(
+            nodeNumber=node, jointTypes=[exu.JointType.RevoluteZ] * 3, linkParents=[-1, 0, 1], linkMasses=[1.0] * 3,
+            jointTransformations=[np.eye(3)] * 3, jointOffsets=[[1, 0, 0]] * 3, linkCOMs=[[0.5, 0, 0]] * 3,
+            linkInertiasCOM=[np.eye(3)] * 3, visualization=exu.VObjectKinematicTree(graphicsDataList=shapes),
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    maker = SceneMaker(mbs, mbs.GetSystemContainer().visualizationSettings)
+    maker.scene()  # the second link turns at (2, 0, 0) to the y axis
+    found = [maker.link_at(tree, np.array(point)) for point in ([0.5, 0, 0], [1.5, 0, 0], [2, 0.5, 0], [2, 1.3, 0])]
+    assert found == ([0, 0, 1, 2] if with_shapes else [-1, 0, 1, 2])
+    corner = [[[0.0, 0, 0], [1, 0, 0], [0, 1, 0]]]
+    for point, expected in (([0.2, 0.2, 3], 3.0), ([-3, -4, 0], 5.0), ([0.5, -2, 0], 2.0), ([1, 1, 0], np.sqrt(0.5))):
+        assert distance(np.array(corner), np.array(point)) == pytest.approx(expected, rel=1e-14)
 
 
 @pytest.mark.parametrize("how", ["page", "past", "systems", "stop", "another"])

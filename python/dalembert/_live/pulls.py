@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from dalembert._checks import FloatArray
 from dalembert._live.records import Record
+from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.scene import DrawnItem
 
 RELEASED = {"kind": "grip", "point": None}
@@ -18,12 +20,19 @@ class Pull:
     """A body that a page holds at a point; the constructor raises a ValueError for items that cannot be pulled."""
 
     def __init__(
-        self, page: int, shadow: Any, picked: DrawnItem, point: Sequence[float], record: Record, time: float
+        self,
+        page: int,
+        shadow: Any,
+        maker: SceneMaker,
+        picked: DrawnItem,
+        point: FloatArray,
+        record: Record,
+        time: float,
     ) -> None:
         """`point` is that of the picked item in the state that was shown at a time: it has moved on since then."""
         self.page, self._shadow, self._target = page, shadow, list[float]()
         body = body_of(shadow.system, picked)
-        record.at(time, lambda: shadow.grab(body, point))
+        record.at(time, lambda: shadow.grab(body, point.tolist(), maker.link_at(body, point)))
 
     def pull(self, target: Sequence[float], strength: float) -> None:
         """Pull the point to another; `strength` is the stiffness of the spring per mass, in 1/s^2."""

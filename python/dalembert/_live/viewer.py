@@ -534,7 +534,9 @@ class Viewer:
         if not (shadow.solving or self._controls):
             raise ValueError("no solver is running; bodies are pulled while one runs or is paused")
         self._end_pull()
-        self._pull = Pull(page, shadow, picked, point.tolist(), self.past.record_of(picked.system), time)
+        assert self.studio is not None
+        maker, record = self.studio.makers[picked.system], self.past.record_of(picked.system)
+        self._pull = Pull(page, shadow, maker, picked, point, record, time)
 
     def _on_release(self, page: int, message: dict[str, Any]) -> None:
         """Let go of the body that a page pulls."""

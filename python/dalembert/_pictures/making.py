@@ -80,6 +80,15 @@ class SceneMaker:
         self.changes()
         return Places(self.mbs, configuration, self.source, self._items, coarse=True)
 
+    def link_at(self, number: int, point: FloatArray) -> int:
+        """Return the link of a kinematic tree that is drawn at a point; -1 for its base, and for other objects."""
+        item = self.mbs.GetObject(number)
+        if item["objectType"] != "KinematicTree":
+            return -1
+        pen = Pen(Scene(), self.places_again(ConfigurationType.Visualization), self.looks)
+        pen.take(DrawnItem("Object", number, item["objectType"], item["name"]))
+        return self.trees.link_at(pen, number, item, point)
+
     def changes(self) -> int:
         """Return how often items have come, gone or got other parameters."""
         if self.source.changed():

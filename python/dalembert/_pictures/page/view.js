@@ -2,7 +2,7 @@
 // and the live one, are views. Names of items are set as text, never as HTML. Nothing is loaded from anywhere.
 import {
   AmbientLight, Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, HemisphereLight, Line, LineBasicMaterial, Matrix4, PerspectiveCamera,
-  Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
@@ -17,6 +17,7 @@ const NARROW = 640; // pixels of a page on which all panels are in one column
 const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
 const RED = 0xcc0d0d; // of what readers have marked
+const END = 6; // pixels of the ends of lines that readers have drawn
 
 export const MOUSE = [
   ["left, right button", "rotate, move"], ["wheel", "zoom"], ["click", "select an item"], ["shift and two clicks", "measure a distance"],
@@ -353,16 +354,19 @@ export class View {
   // Show something besides the objects of the scene, in the place of what had this name before.
   exchange(name, object) {
     const old = this[name];
-    if (old) this.scene.remove(old), old.geometry.dispose(), old.material.dispose();
+    if (old) this.scene.remove(old), old.traverse(({ geometry, material }) => (geometry.dispose(), material.dispose()));
     this[name] = object;
     if (object) this.scene.add(object);
     this.wish();
   }
 
-  // A line in front of everything, or none.
+  // A line with its ends in front of everything, or none.
   join(name, points) {
-    const made = points && new Line(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: RED, depthTest: false }));
-    if (made) Object.assign(made, { renderOrder: 1, frustumCulled: false });
+    if (!points) return this.exchange(name, null);
+    const shape = new BufferGeometry().setFromPoints(points), look = { color: RED, depthTest: false };
+    const made = new Line(shape, new LineBasicMaterial(look));
+    made.add(new Points(shape, new PointsMaterial({ ...look, size: END * window.devicePixelRatio, sizeAttenuation: false })));
+    made.traverse((part) => Object.assign(part, { renderOrder: 1, frustumCulled: false }));
     this.exchange(name, made);
   }
 
