@@ -142,6 +142,40 @@ def test_a_free_mass_comes_to_the_mouse(mbs: Any, SC: Any, monkeypatch: pytest.M
     SC.renderer.Stop()
 
 
+def test_a_link_of_a_tree_turns_to_the_mouse(mbs: Any, SC: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The end of a link of 1 m that turns about z at the origin; the force has no moment if it points to the mouse."""
+    node = mbs.AddNode(
+        exu.NodeGenericODE2(
+            numberOfODE2Coordinates=1, referenceCoordinates=[0.0], initialCoordinates=[0.0], initialCoordinates_t=[0.0]
+        )
+    )
+    tree = mbs.AddObject(
+        exu.ObjectKinematicTree(
+            nodeNumber=node, jointTypes=[exu.JointType.RevoluteZ], linkParents=[-1], linkMasses=[100.0],
+            jointTransformations=[np.eye(3)], jointOffsets=[[0, 0, 0]], linkCOMs=[[0.5, 0, 0]],
+            linkInertiasCOM=[np.diag([1.0, 8.0, 8.0])], jointDControlVector=[20.0], jointPControlVector=[0.0],
+            jointVelocityOffsetVector=[0.0], visualization=exu.VObjectKinematicTree(
+                graphicsDataList=[[graphics.Brick(centerPoint=[0.5, 0, 0], size=[1, 0.1, 0.1])]]
+            ),
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    monkeypatch.setenv("DALEMBERT_VIEWER", "on")
+    SC.renderer.Start()
+    viewer = viewer_of(SC)
+    assert viewer is not None
+    reader = Reader(viewer)
+    head, _ = reader.message("scene")
+    thread = solving(mbs, 10**6, 1e4)
+    reader.message("frame")
+    begin(reader, head, "Object", tree, point=[1, 0, 0], target=[0.9, 1.2, 0], strength=100.0)
+    while not np.allclose(reader.message("grip")["point"], [0.6, 0.8, 0], rtol=0, atol=1e-6):
+        pass
+    reader.press("q")
+    thread.join(10)
+    SC.renderer.Stop()
+
+
 @pytest.mark.parametrize("with_shapes", [False, True])
 def test_links_of_trees_are_found_by_their_surface(mbs: Any, with_shapes: bool) -> None:
     """Three links of 1 m in a row; a rod before a joint belongs to the link before it, the first one to the base."""
