@@ -396,6 +396,23 @@ def test_zeros_of_the_pattern_take_no_part_before_they_change() -> None:
     assert backward_error(masses, solver.solve(b), b) < 200 * EPS
 
 
+@pytest.mark.parametrize("orders", [3, 50], ids=["kept", "replaced"])
+def test_orders_of_pivots_that_come_back_give_the_same_bits(orders: int) -> None:
+    """Matrices whose pivots alternate, each twice in a row; lists of operations are kept for 32 orders."""
+    rng = np.random.default_rng(7)
+    pattern = rng.random((12, 12)) < 0.2
+    matrices = [(pattern * rng.normal(size=(12, 12)) + 4 * np.eye(12))[rng.permutation(12)] for _ in range(orders)]
+    full = csc(np.ones((12, 12)))
+    solver, b = solver_of(full, dense=True), np.arange(12.0)
+    for matrix in 3 * matrices:
+        expected = solver_of(full, dense=True)
+        expected.factorize(matrix.T.ravel())
+        for _ in range(2):
+            assert solver.factorize(matrix.T.ravel()) == -1
+            np.testing.assert_array_equal(solver.solve(b), expected.solve(b))
+    assert solver.statistics["pivot_searches"] == 3 * orders
+
+
 @pytest.mark.parametrize("stays", [True, False])
 def test_zeros_of_unsettled_matrices_take_part(stays: bool) -> None:
     """The whole net, then its masses: zeros are left out when they are those of the third matrix."""

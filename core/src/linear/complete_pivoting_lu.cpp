@@ -1,9 +1,13 @@
 #include "complete_pivoting_lu.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
+
+#include "dalembert/math/wide_registers.hpp"
 
 namespace dalembert {
 
@@ -12,30 +16,36 @@ CompletePivotingLu::CompletePivotingLu(int size, const LinearSolverOptions& opti
       pivot_threshold_(options.pivot_threshold),
       values_(static_cast<std::size_t>(size) * size),
       inverse_pivot_(size),
+      largest_(size),
       row_exchange_(size),
       column_exchange_(size) {}
+
+namespace {
+
+// The bits of an absolute value, which are ordered as the values are: loops over integers can use wide registers.
+std::int64_t magnitude(double x) { return std::bit_cast<std::int64_t>(x) & std::numeric_limits<std::int64_t>::max(); }
+
+}  // namespace
 
 // Elimination with the largest entry of the rest as pivot; it stops where the rest is round-off, and solutions are zero there.
 int CompletePivotingLu::factorize(std::span<const double> values) {
   ++factorizations_;
   std::copy(values.begin(), values.end(), values_.begin());
   const int n = size_;
+  for (int j = 0; j < n; ++j)
+    largest_[j] = std::transform_reduce(
+        column(j), column(j) + n, std::int64_t{0}, [](std::int64_t a, std::int64_t b) { return std::max(a, b); },
+        magnitude);
   double first = 0;
   for (rank_ = 0; rank_ < n; ++rank_) {
     const int k = rank_;
-    int p = k, q = k;
-    double largest = 0;
-    for (int j = k; j < n; ++j) {
-      for (int i = k; i < n; ++i) {
-        if (const double x = std::abs(column(j)[i]); x > largest) {
-          largest = x;
-          p = i;
-          q = j;
-        }
-      }
-    }
+    const int q = static_cast<int>(std::max_element(largest_.begin() + k, largest_.end()) - largest_.begin());
+    const double largest = std::bit_cast<double>(largest_[q]);
     if (k == 0) first = largest;
     if (!(largest > std::max(pivot_threshold_, first * std::numeric_limits<double>::epsilon() * n))) break;
+    const double* const rest =
+        std::find_if(column(q) + k, column(q) + n, [&](double x) { return std::abs(x) == largest; });
+    const int p = static_cast<int>(rest - column(q));
     row_exchange_[k] = p;
     column_exchange_[k] = q;
     exchange_rows(k, p);
@@ -43,10 +53,19 @@ int CompletePivotingLu::factorize(std::span<const double> values) {
     double* c = column(k);
     inverse_pivot_[k] = 1 / c[k];
     for (int i = k + 1; i < n; ++i) c[i] *= inverse_pivot_[k];
-    for (int j = k + 1; j < n; ++j) {
-      double* d = column(j);
-      for (int i = k + 1; i < n; ++i) d[i] -= d[k] * c[i];
-    }
+    in_registers_of_four([this, c, k, n] {
+      for (int j = k + 1; j < n; ++j) {
+        double* d = column(j);
+        const double times = d[k];
+        if (times == 0) continue;  // its largest entry stays
+        std::int64_t largest = 0;
+        for (int i = k + 1; i < n; ++i) {
+          d[i] -= times * c[i];
+          largest = std::max(largest, magnitude(d[i]));
+        }
+        largest_[j] = largest;
+      }
+    });
   }
   return success;
 }
@@ -57,7 +76,9 @@ void CompletePivotingLu::exchange_rows(int i, int j) {
 }
 
 void CompletePivotingLu::exchange_columns(int i, int j) {
-  if (i != j) std::swap_ranges(column(i), column(i) + size_, column(j));
+  if (i == j) return;
+  std::swap_ranges(column(i), column(i) + size_, column(j));
+  std::swap(largest_[i], largest_[j]);
 }
 
 void CompletePivotingLu::solve(std::span<double> x) {

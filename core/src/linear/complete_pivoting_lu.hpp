@@ -1,6 +1,7 @@
 // LU factors of a dense matrix that may be singular: dependent equations are dropped.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "dalembert/linear/linear_solver.hpp"
@@ -24,6 +25,7 @@ class CompletePivotingLu final : public LinearSolver {
   double pivot_threshold_;
   std::size_t factorizations_ = 0;
   std::vector<double> values_, inverse_pivot_;
+  std::vector<std::int64_t> largest_;  // of each column, in the rows that are left: bits of an absolute value
   std::vector<int> row_exchange_, column_exchange_;
 };
 

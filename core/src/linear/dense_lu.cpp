@@ -29,33 +29,44 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
   if (searched_ && repeat(values)) return success;
   const int failed = search(values);
   searched_ = failed == success;
-  list_.reset();
-  listed_ = false;
-  if (searched_ && size_ > tiny) factorize_whole(values);  // same rounding as in later factorizations
+  if (!searched_ || size_ <= tiny) return failed;
+  list_ = find_list();
+  is_listed() ? factorize_repeated(values) : factorize_whole(values);  // same rounding as in later factorizations
   return failed;
 }
 
 bool DenseLu::may_be_listed() const { return size_ <= EliminationList::largest_size; }
 
+DenseLu::Listed* DenseLu::find_list() {
+  const auto found = std::ranges::find(lists_, row_of_step_, &Listed::row_of_step);
+  return found == lists_.end() ? nullptr : &*found;
+}
+
 [[gnu::noinline]] void DenseLu::list_operations(std::span<const double> values) {
-  listed_ = true;
-  list_.reset();
-  if (size_ > EliminationList::largest_size) return;
+  if (list_ == nullptr) {
+    lists_.reserve(most_lists);
+    if (lists_.size() < most_lists) lists_.emplace_back();
+    list_ = &lists_[made_++ % most_lists];
+    list_->row_of_step = row_of_step_;
+  }
+  list_->operations.reset();
+  if (!may_be_listed()) return;
   occupied_.resize(values.size());
   for (int j = 0; j < size_; ++j)
     for (int i = 0; i < size_; ++i)
       if (values[j * size_ + i] != 0) occupied_[j * size_ + i] = occupied_[i * size_ + j] = true;
-  list_.emplace(row_of_step_, occupied_);
-  if (!list_->pays()) list_.reset();
+  list_->operations.emplace(row_of_step_, occupied_);
+  if (!list_->operations->pays()) list_->operations.reset();
 }
 
 double DenseLu::factorize_repeated(std::span<const double> values) {
-  const auto taken = [&] { return list_ && kernels_.take_listed(*list_, values.data(), factors_.data()); };
-  if (!taken() && (list_ || !listed_)) {
+  const auto taken = [&] { return kernels_.take_listed(*list_->operations, values.data(), factors_.data()); };
+  if (list_ == nullptr || (is_listed() && !taken())) {
     list_operations(values);
-    taken();
+    if (is_listed()) taken();
   }
-  return list_ ? kernels_.factorize_listed(*list_, factors_.data(), inverse_pivot_.data()) : factorize_whole(values);
+  return is_listed() ? kernels_.factorize_listed(*list_->operations, factors_.data(), inverse_pivot_.data())
+                     : factorize_whole(values);
 }
 
 [[gnu::noinline]] double DenseLu::factorize_whole(std::span<const double> values) {
@@ -126,8 +137,8 @@ void DenseLu::solve(std::span<double> x) {
   for (int k = 0; k < size_; ++k) w[k] = x[row_of_step_[k]];
   if (size_ <= tiny) {
     solve_tiny(w);
-  } else if (list_) {
-    kernels_.solve_listed(*list_, factors_.data(), inverse_pivot_.data(), w);
+  } else if (is_listed()) {
+    kernels_.solve_listed(*list_->operations, factors_.data(), inverse_pivot_.data(), w);
   } else {
     kernels_.eliminate(factors_.data(), size_, length_, w, 1);
     kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), w);

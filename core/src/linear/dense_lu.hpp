@@ -30,8 +30,11 @@ class DenseLu final : public LinearSolver {
   static constexpr double largest_growth = 1 + 4 * std::numeric_limits<double>::epsilon();
 
  private:
+  struct Listed;
   int search(std::span<const double> values);
   bool repeat(std::span<const double> values);
+  Listed* find_list();
+  bool is_listed() const { return list_ != nullptr && list_->operations.has_value(); }
   void list_operations(std::span<const double> values);
   double factorize_repeated(std::span<const double> values);
   double factorize_whole(std::span<const double> values);
@@ -47,8 +50,15 @@ class DenseLu final : public LinearSolver {
   std::vector<double> factors_, inverse_pivot_, work_;
   std::vector<int> row_of_step_;
   std::vector<char> occupied_;           // by columns: entries that have differed from zero, and those opposite
-  std::optional<EliminationList> list_;  // operations of the factorization, if worthwhile
-  bool listed_ = false;                  // whether that is known: a matrix that does not come again needs no list
+  // Operations of the factorization for an order of pivots. Systems in motion come back to few orders.
+  struct Listed {
+    std::vector<int> row_of_step;
+    std::optional<EliminationList> operations;  // empty: the dense kernels take less time
+  };
+  static constexpr std::size_t most_lists = 32;
+  std::vector<Listed> lists_;
+  std::size_t made_ = 0;    // lists; more than `most_lists` replace the first ones
+  Listed* list_ = nullptr;  // of this order; null: it is made when a matrix comes again
   LinearSolverStatistics statistics_;
 };
 
