@@ -54,7 +54,7 @@ def local_point(mbs: Any, body: int, point: Any) -> Any:
 def begin(reader: Reader, head: dict[str, Any], kind: str, number: int, **words: Any) -> None:
     """Pull an item of a scene that is at (1, 0, 0)."""
     item = next(n for n, entry in enumerate(head["items"]) if entry[:2] == [kind, number])
-    words = {"time": 0.0, "point": [1.1, 0, 0.05], "target": [2, 3, 4], "strength": 25.0} | words
+    words = {"id": "a", "time": 0.0, "point": [1.1, 0, 0.05], "target": [2, 3, 4], "strength": 25.0} | words
     reader.send("pull", item=item, scene=head["scene"], **words)
 
 
@@ -79,17 +79,17 @@ def test_a_drag_pulls_until_the_button_is_let_go(swinging: Any, viewer: Viewer, 
     told = reader.message("grip")
     np.testing.assert_allclose(told["point"], [1.1, 0, 0.05], atol=1e-6)
     assert told["target"] == [2, 3, 4]
-    reader.send("pull", target=[2, 3, 5], strength=50)
+    reader.send("pull", id="a", target=[2, 3, 5], strength=50)
     while reader.message("grip")["target"] != [2, 3, 5]:  # each picture is followed by one
         pass
-    reader.send("release")
-    while reader.message("grip") != {"kind": "grip", "point": None}:
+    reader.send("release", id="a")
+    while reader.message("grip") != {"kind": "grip", "id": "a", "point": None}:
         pass
     for call, target, strength in zip(asked, ((2, 3, 4), (2, 3, 5)), (25, 50), strict=False):
         assert (call[0], *call[2:]) == (1, list(target), strength)
         np.testing.assert_allclose(call[1], [0.1, 0, 0.05], atol=1e-6)
     assert len(asked) == 3 and asked[2] == "released"
-    reader.send("pull", target=[2, 3, 5], strength=50)  # comes too late
+    reader.send("pull", id="a", target=[2, 3, 5], strength=50)  # comes too late
     reader.press("q")
     thread.join(10)
     assert len(asked) == 3
@@ -131,10 +131,10 @@ def test_a_free_mass_comes_to_the_mouse(mbs: Any, SC: Any, monkeypatch: pytest.M
     begin(reader, head, "Node", 0, point=[1, 0, 0], target=[2, 3, 4], strength=100.0)
     while not np.allclose(reader.message("grip")["point"], [2, 3, 4], rtol=0, atol=1e-6):
         pass
-    reader.send("pull", target=[-1, 0, 0], strength=100.0)
+    reader.send("pull", id="a", target=[-1, 0, 0], strength=100.0)
     while not np.allclose(reader.message("grip")["point"], [-1, 0, 0], rtol=0, atol=1e-6):
         pass
-    reader.send("release")
+    reader.send("release", id="a")
     reader.press("q")
     thread.join(10)
     place = mbs.GetObjectOutputBody(mass, exu.OutputVariableType.Position)
@@ -226,9 +226,9 @@ def test_a_body_is_released(SC: Any, swinging: Any, viewer: Viewer, asked: list[
         other.until(lambda: len(asked) >= 3)
         while reader.message("grip")["point"] is not None:
             pass
-        reader.send("pull", target=[9, 9, 9], strength=1)
-        reader.send("release")  # of what it does not hold any more
-        other.send("pull", target=[0, 0, 8], strength=25)
+        reader.send("pull", id="a", target=[9, 9, 9], strength=1)
+        reader.send("release", id="a")  # of what it does not hold any more
+        other.send("pull", id="a", target=[0, 0, 8], strength=25)
         other.until(lambda: asked[-1][2:] == ([0, 0, 8], 25))
         assert asked[1] == "released" and asked.count("released") == 1
         other.socket.close()
@@ -263,7 +263,7 @@ def test_what_cannot_be_pulled_is_refused_by_name(swinging: Any, viewer: Viewer,
     assert refused("Object", 1, target=[0, 0, float("nan")]) == "pull: expected finite numbers, and a positive strength"
     reader.send("seek", time=0.0)
     assert refused("Object", 1).startswith("pull: an earlier state is shown")
-    reader.send("pull", item=999, scene=head["scene"], time=0.0, point=[0, 0, 0], target=[0, 0, 0], strength=1)
+    reader.send("pull", id="a", item=999, scene=head["scene"], time=0.0, point=[0, 0, 0], target=[0, 0, 0], strength=1)
     assert reader.message("notice")["text"] == "pull: the item is not there any more"
     assert asked == ["released"] * len(asked)
     reader.press("q")
@@ -336,11 +336,21 @@ def test_the_mouse_pulls_a_body_and_a_line_shows_it(
     mouse(tab, "mouseWheel", x + 60, y - 40, held, deltaX=0, deltaY=-100)
     tab.wait("page.grip.factor === 2")
     mouse(tab, "mouseMoved", x + 61, y - 40, held)
+    tab.value("page.take({ kind: 'grip', id: 'one before', point: null })")  # comes late
+    assert tab.value("!!page.grip.held && !!page.string")
     mouse(tab, "mouseReleased", x + 61, y - 40, held)
     tab.wait("!page.string && !page.grip.held && !page.time.textContent.includes('pull')")
     while asked[-1] != "released":
         thread.join(0.02)
     assert asked[-2][3] == pytest.approx(2 * strength)
+    mouse(tab, "mousePressed", x, y, held)
+    mouse(tab, "mouseMoved", x + 60, y, held)
+    while asked[-1] == "released":
+        thread.join(0.02)
+    tab.value("page.split([])")  # a view in which the drag has begun may end
+    while asked[-1] != "released":
+        thread.join(0.02)
+    mouse(tab, "mouseReleased", x + 60, y, held)
     assert tab.value("JSON.stringify(page.looking())") == before
     swinging.SetRenderEngineStopFlag(True)
     thread.join(10)

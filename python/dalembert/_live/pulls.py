@@ -13,7 +13,10 @@ from dalembert._live.records import Record
 from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.scene import DrawnItem
 
-RELEASED = {"kind": "grip", "point": None}
+
+def released(name: str) -> dict[str, Any]:
+    """Return the message for pages that nobody holds this any more."""
+    return {"kind": "grip", "id": name, "point": None}
 
 
 class Pull:
@@ -22,6 +25,7 @@ class Pull:
     def __init__(
         self,
         page: int,
+        name: str,
         shadow: Any,
         maker: SceneMaker,
         picked: DrawnItem,
@@ -29,8 +33,11 @@ class Pull:
         record: Record,
         time: float,
     ) -> None:
-        """`point` is that of the picked item in the state that was shown at a time: it has moved on since then."""
-        self.page, self._shadow, self._target = page, shadow, list[float]()
+        """`name` is that of the page for this drag.
+
+        `point` is that of the picked item in the state that was shown at a time: it has moved on since then.
+        """
+        self.page, self.name, self._shadow, self._target = page, name, shadow, list[float]()
         body = body_of(shadow.system, picked)
         record.at(time, lambda: shadow.grab(body, point.tolist(), maker.link_at(body, point)))
 
@@ -46,9 +53,9 @@ class Pull:
     def words(self) -> dict[str, Any]:
         """Return what pages show of it: the line from the point in the state that is shown to the mouse."""
         point = self._shadow.gripped
-        return (
-            RELEASED if point is None or not self._target else {"kind": "grip", "point": point, "target": self._target}
-        )
+        if point is None or not self._target:
+            return released(self.name)
+        return {"kind": "grip", "id": self.name, "point": point, "target": self._target}
 
 
 def body_of(mbs: Any, picked: DrawnItem) -> int:

@@ -21,7 +21,7 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
-from dalembert._live.pulls import RELEASED, Pull
+from dalembert._live.pulls import Pull, released
 from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
@@ -36,6 +36,7 @@ from dalembert._pictures.studio import Studio
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
 SHARE = 0.25  # maximum fraction of the time for pictures: other threads need the interpreter
 LARGE = 50_000  # objects, whose scene takes seconds
+LONGEST_NAME = 40  # characters of a drag
 OFTEN = 0.5  # s between polls of changes without a signal: settings that scripts change, outputs of the selected item
 
 Receive = Callable[[int, dict[str, Any]], None]
@@ -98,7 +99,7 @@ class Viewer:
         self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[Any, dict[str, Any]] = {}  # last message of the settings, by what else is in it
         self._pull: Pull | None = None  # the body that a reader pulls
-        self._forces = False  # arrows of forces are drawn
+        self._forces = bool(state_of(container.renderer, 0).get("showForces"))  # their arrows are drawn
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
@@ -381,7 +382,8 @@ class Viewer:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
 
     def _on_closed(self, page: int, message: dict[str, Any]) -> None:
-        self._on_release(page, message)
+        if self._pull is not None and self._pull.page == page:
+            self._end_pull()
 
     def _on_key(self, page: int, message: dict[str, Any]) -> None:
         key, control, shift = str(message["key"]), bool(message["control"]), bool(message["shift"])
@@ -514,12 +516,13 @@ class Viewer:
                 raise ValueError("expected finite numbers, and a positive strength")
             if "item" in message:
                 self._hold(page, message)
-            if self._pull is not None and self._pull.page == page:
+            if self._is_held(page, message):
+                assert self._pull is not None
                 self._pull.pull(target.tolist(), strength)
                 self._tell_pull()
         except (RuntimeError, ValueError) as error:  # an item that cannot be pulled
             self._on_release(page, message)
-            self.server.tell(RELEASED, page)
+            self.server.tell(released(_drag(message)), page)
             raise ValueError(str(error)) from error
 
     def _hold(self, page: int, message: dict[str, Any]) -> None:
@@ -536,12 +539,16 @@ class Viewer:
         self._end_pull()
         assert self.studio is not None
         maker, record = self.studio.makers[picked.system], self.past.record_of(picked.system)
-        self._pull = Pull(page, shadow, maker, picked, point, record, time)
+        self._pull = Pull(page, _drag(message), shadow, maker, picked, point, record, time)
 
     def _on_release(self, page: int, message: dict[str, Any]) -> None:
         """Let go of the body that a page pulls."""
-        if self._pull is not None and self._pull.page == page:
+        if self._is_held(page, message):
             self._end_pull()
+
+    def _is_held(self, page: int, message: dict[str, Any]) -> bool:
+        """Return whether a message is about the body that is held now: pages may be late."""
+        return self._pull is not None and (self._pull.page, self._pull.name) == (page, _drag(message))
 
     # ---- what they lead to
 
@@ -550,7 +557,7 @@ class Viewer:
         if self._pull is not None:
             pull, self._pull = self._pull, None
             pull.end()
-            self.server.tell(RELEASED)
+            self.server.tell(released(pull.name))
 
     def _tell_pull(self) -> None:
         if self._pull is not None:
@@ -625,3 +632,8 @@ class Viewer:
         words |= {"numbers": details.numbers(mbs, kind, number), "item": [system, kind, number]}
         words |= {"outputs": details.outputs(mbs, kind, number), "time": mbs.systemData.GetTime(details.SHOWN)}
         self.server.tell({"kind": "details", **words})
+
+
+def _drag(message: dict[str, Any]) -> str:
+    """Return the name that a page has given to a drag."""
+    return str(message["id"])[:LONGEST_NAME]

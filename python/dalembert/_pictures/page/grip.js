@@ -8,11 +8,11 @@ const BODIES = ["Object", "Node"]; // nodes stand for the bodies on them
 
 export class Grip {
   constructor(view) {
-    Object.assign(this, { view, held: null, factor: 1 });
+    Object.assign(this, { view, held: null, factor: 1, count: 0, name: Math.random().toString(36).slice(2) });
     const hear = (kind, act) => view.place.addEventListener(kind, act, { capture: true, passive: false }); // before the view turns
     hear("pointerdown", (event) => this.take(event));
     hear("pointermove", (event) => this.move(event));
-    for (const kind of ["pointerup", "pointercancel"]) hear(kind, (event) => this.leave(event));
+    for (const kind of ["pointerup", "pointercancel", "lostpointercapture"]) hear(kind, (event) => this.leave(event));
     hear("wheel", (event) => this.stiffen(event));
   }
 
@@ -25,14 +25,14 @@ export class Grip {
     event.target.setPointerCapture(event.pointerId);
     const { camera } = pane ?? view, plane = new Plane().setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), hit.point);
     const stiffness = (PULL * GRAVITY) / (pane ?? view).looking().zoom; // per mass
-    this.held = { id: event.pointerId, pane, hit, plane, stiffness, scene: view.number, time: view.now, target: null };
+    this.held = { pointer: event.pointerId, id: `${this.name} ${++this.count}`, pane, hit, plane, stiffness, scene: view.number, time: view.now, target: null };
     this.point = hit.point;
     view.down = [event.clientX, event.clientY];
   }
 
   move(event) {
     const { held, view } = this;
-    if (held?.id !== event.pointerId) return;
+    if (held?.pointer !== event.pointerId) return;
     event.stopPropagation();
     if (!held.target && view.isClick(event)) return;
     const target = view.ray(event.clientX, event.clientY, held.pane).ray.intersectPlane(held.plane, new Vector3());
@@ -40,9 +40,9 @@ export class Grip {
   }
 
   pull(target) {
-    const { held, view } = this, { hit, scene, time } = held, begins = held.target ? {} : { item: hit.number, scene, time, point: [...hit.point] };
+    const { held, view } = this, { id, hit, scene, time } = held, begins = held.target ? {} : { item: hit.number, scene, time, point: [...hit.point] };
     held.target = target;
-    view.send("pull", { ...begins, target: [...target], strength: this.strength() });
+    view.send("pull", { id, ...begins, target: [...target], strength: this.strength() });
     this.draw();
   }
 
@@ -53,11 +53,17 @@ export class Grip {
   // Without a drag it was a click.
   leave(event) {
     const { held, view } = this;
-    if (held?.id !== event.pointerId) return;
+    if (held?.pointer !== event.pointerId) return;
     event.stopPropagation();
-    if (held.target) view.send("release");
-    this.drop();
+    this.release();
     if (!held.target && event.type === "pointerup" && view.isClick(event)) view.click(event, held.pane);
+  }
+
+  // Let go of what is held.
+  release() {
+    const { held } = this;
+    this.drop();
+    if (held?.target) this.view.send("release", { id: held.id });
   }
 
   stiffen(event) {
@@ -68,10 +74,11 @@ export class Grip {
     if (this.held.target) this.pull(this.held.target);
   }
 
-  // Where a body is held now, by this reader or by one of another page; no point: by nobody.
-  tell(point, target) {
+  // Where a body is held now, by this reader or by one of another page; no point: it has been released.
+  tell({ id, point, target }) {
+    if (this.held && this.held.id !== id) return; // of one before, or of another page
     if (point) (this.point = new Vector3(...point)), this.draw(this.held?.target ?? new Vector3(...target));
-    else if (!this.held || this.held.target) this.drop();
+    else this.drop();
   }
 
   draw(target = this.held.target) {

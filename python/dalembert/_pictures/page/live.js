@@ -102,6 +102,7 @@ export class Live extends View {
 
   // Show these other views: number, camera, plane that cuts.
   split(views) {
+    this.grip.release(); // perhaps in a view that ends
     for (const pane of this.panes) pane.end();
     this.panes = views.map(({ number, camera, clip }) => new Pane(this, number, camera, clip));
     this.place.classList.toggle("split", views.length > 0); // the bar of colors makes room
@@ -214,7 +215,7 @@ export class Live extends View {
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
-      grip: () => this.grip.tell(words.point, words.target),
+      grip: () => this.grip.tell(words),
       details: () => this.picked != null && this.panels.details(words),
       outputs: () => this.panels.outputs(words.curves),
       settings: () => this.panels.settings(words.rows),
