@@ -1,101 +1,57 @@
 """A slider-crank in space: three rigid bodies, driven by a torque on the crank, with a spring against the slider.
 
-The place of the slider follows from the angle of the crank in closed form.
+The position of the slider follows from the angle of the crank in closed form.
 """
 
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
-crankLength, rodLength, width = 0.1, 0.3, 0.02  # m
-gravity = [0, -9.81, 0]
+crank_length, rod_length, width = 0.1, 0.3, 0.02  # m
+steel = {"density": 7800, "gravity": [0, -9.81, 0]}
 
-
-def bar(length):
-    """A steel bar along x with square section."""
-    return InertiaCuboid(density=7800, sideLengths=[length, width, width])
-
-
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
+model = db.Model()
 
 # bodies: the mechanism is stretched in the reference configuration, the crank along x
-crank = mbs.CreateRigidBody(
-    referencePosition=[crankLength / 2, 0, 0],
-    inertia=bar(crankLength),
-    gravity=gravity,
-    color=graphics.color.orange,
+crank = model.create_box(
+    "crank", size=[crank_length, width, width], reference_position=[crank_length / 2, 0, 0], color="orange", **steel
 )
-rod = mbs.CreateRigidBody(
-    referencePosition=[crankLength + rodLength / 2, 0, 0],
-    inertia=bar(rodLength),
-    gravity=gravity,
-    color=graphics.color.dodgerblue,
-)
-slider = mbs.CreateRigidBody(
-    referencePosition=[crankLength + rodLength, 0, 0],
-    inertia=bar(0.05),
-    gravity=gravity,
-    color=graphics.color.lightgrey,
-)
+rod = model.create_box(
+    "rod", size=[rod_length, width, width], reference_position=[crank_length + rod_length / 2, 0, 0],
+    color="dodgerblue", **steel
+)  # fmt: skip
+end = [crank_length + rod_length, 0, 0]
+slider = model.create_box("slider", size=[0.05, width, width], reference_position=end, color="lightgrey", **steel)
 
 # joints: 5 + 5 + 2 + 5 equations for 18 degrees of freedom
-mbs.CreateRevoluteJoint(bodyNumbers=[ground, crank], position=[0, 0, 0], axis=[0, 0, 1])
-mbs.CreateRevoluteJoint(bodyNumbers=[crank, rod], position=[crankLength, 0, 0], axis=[0, 0, 1])
-pin = mbs.CreateGenericJoint(
-    bodyNumbers=[rod, slider], position=[crankLength + rodLength, 0, 0], constrainedAxes=[1, 1, 0, 0, 0, 0]
-)
-mbs.CreateGenericJoint(
-    bodyNumbers=[ground, slider], position=[crankLength + rodLength, 0, 0], constrainedAxes=[0, 1, 1, 1, 1, 1]
-)
+model.create_revolute_joint(body_numbers=["ground", crank], position=[0, 0, 0], axis="z")
+model.create_revolute_joint(body_numbers=[crank, rod], position=[crank_length, 0, 0], axis="z")
+pin = model.create_generic_joint("pin", body_numbers=[rod, slider], position=end, constrained_axes=[1, 1, 0, 0, 0, 0])
+model.create_generic_joint("guide", body_numbers=["ground", slider], position=end, constrained_axes=[0, 1, 1, 1, 1, 1])
 
 # drive and resistance
-mbs.CreateTorque(bodyNumber=crank, loadVector=[0, 0, 0.5])
-mbs.CreateSpringDamper(
-    bodyNumbers=[ground, slider],
-    localPosition0=[0.6, 0, 0],
-    localPosition1=[0, 0, 0],
-    referenceLength=0.3,
-    stiffness=100,
-    damping=2,
+model.create_torque(body_number=crank, load_vector=[0, 0, 0.5])  # Nm
+model.create_spring_damper(
+    body_numbers=["ground", slider], local_position0=[0.6, 0, 0], reference_length=0.3, stiffness=100, damping=2
 )
 
-# sensors
-position = mbs.AddSensor(
-    SensorBody(bodyNumber=slider, outputVariableType=exu.OutputVariableType.Position, storeInternal=True)
-)
-angle = mbs.AddSensor(
-    SensorBody(bodyNumber=crank, outputVariableType=exu.OutputVariableType.Rotation, storeInternal=True)
-)
-spin = mbs.AddSensor(
-    SensorBody(bodyNumber=crank, outputVariableType=exu.OutputVariableType.AngularVelocity, storeInternal=True)
-)
-force = mbs.AddSensor(
-    SensorObject(objectNumber=pin, outputVariableType=exu.OutputVariableType.ForceLocal, storeInternal=True)
-)
+# sensor
+place = model.create_sensor(slider, "position", name="place")
 
-mbs.Assemble()
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 2
-settings.timeIntegration.numberOfSteps = 2000
+settings = db.SimulationSettings()
 settings.timeIntegration.generalizedAlpha.spectralRadius = 0.8
-settings.solutionSettings.sensorsWritePeriod = 5e-3
-settings.solutionSettings.solutionWritePeriod = settings.timeIntegration.endTime / 60
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=2, step_size=1e-3, every=5e-3, settings=settings)
 
-mbs.Draw(fileName="slider_crank_picture.png", view="axonometric")
-in_a_second = settings.timeIntegration.endTime / 3
-mbs.DrawSolution(
-    fileName="slider_crank_motion.gif", windowSize=[420, 320], framesPerSecond=20, speed=in_a_second, view="axonometric"
+model.draw(file_name="slider_crank_picture.png", view="axonometric")
+solution.animate(
+    "slider_crank_motion.gif", window_size=[420, 320], frames_per_second=20, speed=2 / 3, view="axonometric"
 )
-mbs.PlotSensor(position, components=0, yLabel="slider position (m)", fileName="slider_position.png", closeAll=True)
-mbs.PlotSensor(spin, components=2, yLabel="crank speed (rad/s)", fileName="crank_speed.png")
-mbs.PlotSensor(force, components=[0, 1], yLabel="pin force (N)", fileName="pin_force.png")
+solution.plot(place, file_name="slider_position.png")
+solution.plot("crank.angular_velocity", file_name="crank_speed.png")
+solution.plot("pin.force", file_name="pin_force.png")
 
 # the position of the slider follows from the angle of the crank
-reached = mbs.GetSensorStoredData(position)[:, 1]
-turned = mbs.GetSensorStoredData(angle)[:, 3]
-exact = crankLength * np.cos(turned) + np.sqrt(rodLength**2 - (crankLength * np.sin(turned)) ** 2)
+reached, angle = place.values[:, 0], solution[crank].rotation[:, 2]
+exact = crank_length * np.cos(angle) + np.sqrt(rod_length**2 - (crank_length * np.sin(angle)) ** 2)
 print(f"range of the slider: {np.ptp(reached):.6f} m, closed form {np.ptp(exact):.6f} m")
 print(f"slider at the end: {reached[-1]:.6f} m, closed form {exact[-1]:.6f} m")

@@ -2,15 +2,13 @@
 
 import numpy as np
 
-import dalembert as exu
-from dalembert.utilities import *
+import dalembert as db
 
-mbs = exu.SystemContainer().AddSystem()
-ground = mbs.CreateGround()
-mass = mbs.CreateMassPoint(referencePosition=[1, 0, 0], physicsMass=1, drawSize=0.1, color=graphics.color.orange)
+model = db.Model()
+mass = model.create_mass_point("mass", reference_position=[1, 0, 0], mass=1, draw_size=0.1, color="orange")
 
 
-def stiffening(mbs, t, itemNumber, elongation, rate, stiffness, damping, force):
+def stiffening(mbs, t, item_number, elongation, rate, stiffness, damping, force):
     """Force of a Duffing spring."""
     return stiffness * (elongation + 50 * elongation**3) + damping * rate + force
 
@@ -20,43 +18,36 @@ def sweep(mbs, t, load):
     return np.sin(2 * np.pi * (0.5 + t / 4) * t) * np.array(load)
 
 
-def switchDamping(mbs, t):
+def switch_damping(mbs, t):
     """Ten times the damping from 4 s on."""
-    mbs.SetObjectParameter(spring, "damping", 0.2 if t < 4 else 2)
+    spring.damping = 0.2 if t < 4 else 2
     return True
 
 
-def energy(mbs, t, sensorNumbers, factors, configuration):
+def energy(mbs, t, sensor_numbers, factors, configuration):
     """Kinetic energy, from the velocity sensor."""
-    velocity = mbs.GetSensorValues(sensorNumbers[0], configuration)
+    velocity = mbs.GetSensorValues(sensor_numbers[0], configuration)
     return [0.5 * factors[0] * np.dot(velocity, velocity)]
 
 
-spring = mbs.CreateSpringDamper(
-    bodyNumbers=[ground, mass],
-    referenceLength=1,
-    stiffness=100,
-    damping=0.2,
-    springForceUserFunction=stiffening,
-)
-marker = mbs.AddMarker(MarkerBodyPosition(bodyNumber=mass))
-mbs.AddLoad(LoadForceVector(markerNumber=marker, loadVector=[2, 0, 0], loadVectorUserFunction=sweep))
-mbs.SetPreStepUserFunction(switchDamping)
+spring = model.create_spring_damper(
+    "spring", body_numbers=["ground", mass], reference_length=1, stiffness=100, damping=0.2,
+    spring_force_user_function=stiffening,
+)  # fmt: skip
+model.create_force("push", body_number=mass, load_vector=[2, 0, 0], load_vector_user_function=sweep)
+model.system.SetPreStepUserFunction(switch_damping)
 
-velocity = mbs.AddSensor(
-    SensorBody(bodyNumber=mass, outputVariableType=exu.OutputVariableType.Velocity, storeInternal=True)
-)
-kinetic = mbs.AddSensor(
-    SensorUserFunction(sensorNumbers=[velocity], factors=[1], sensorUserFunction=energy, storeInternal=True)
+velocity = model.create_sensor(mass, "velocity", name="velocity")
+kinetic = model.add(
+    db.SensorUserFunction(
+        name="kinetic", sensorNumbers=[velocity], factors=[1], sensorUserFunction=energy, storeInternal=True
+    )
 )
 
-mbs.Assemble()
-settings = exu.SimulationSettings()
-settings.timeIntegration.endTime = 6
-settings.timeIntegration.numberOfSteps = 1200
-settings.solutionSettings.writeSolutionToFile = False
-mbs.SolveDynamic(settings)
+solution = model.solve(end_time=6, step_size=5e-3)
 
-mbs.Draw(fileName="user_functions_picture.png")
-mbs.PlotSensor(kinetic, yLabel="kinetic energy (J)", closeAll=True, fileName="user_functions.png")
-print(f"largest kinetic energy: {mbs.GetSensorStoredData(kinetic)[:, 1].max():.3f} J")
+model.draw(file_name="user_functions_picture.png")
+axes = solution.plot("kinetic")
+axes.set_ylabel("kinetic energy (J)")
+axes.figure.savefig("user_functions.png")
+print(f"largest kinetic energy: {kinetic.values.max():.3f} J")

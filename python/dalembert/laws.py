@@ -120,6 +120,20 @@ _LEFT_OUT = (
 )
 
 
+def unread_parameters(item: str, function: str, recorded: Any) -> tuple[str, ...]:
+    """Return the parameters of an item that have no effect, as its recorded function is a law of this module."""
+    for kind in (*_CONNECTORS.values(), *_LOADS.values()):
+        if (kind.item, kind.function) == (item, function):
+            stored = recorded._Stored()
+            names = [stored["nodes"][node]["name"] for node in stored["arguments"]]
+            return kind.unused if names == _names_of_arguments(kind) else ()
+    return ()
+
+
+class _NotRecordedError(TypeError):
+    """A function cannot be recorded."""
+
+
 class Law:
     """A recorded function; a call with markers makes an item: Hertz([marker0, marker1], stiffness=500.0).
 
@@ -455,14 +469,19 @@ def _recording() -> Iterator[None]:
         _symbolic.SetRecording(before)
 
 
+def _names_of_arguments(kind: _Kind) -> list[str]:
+    """Return the names of all arguments of the user function: those that a law does not have are argument1, ..."""
+    names = {place: name for name, place in kind.arguments.items()}
+    count = len(_symbolic._signature(kind.item, kind.function)[0])
+    return [names.get(place, f"argument{place}") for place in range(count)]
+
+
 def _arguments(kind: _Kind) -> list[Any]:
     """Return symbols for all arguments of the user function."""
     kinds, _ = _symbolic._signature(kind.item, kind.function)
     sizes = iter(_sizes(kind.item, kind.function))
-    names = {place: name for name, place in kind.arguments.items()}
     arguments = []
-    for place, shape in enumerate(kinds):
-        name = names.get(place, f"argument{place}")
+    for name, shape in zip(_names_of_arguments(kind), kinds, strict=True):
         if shape not in ("vector", "matrix"):
             arguments.append(_symbolic.Real(name, 0.0)._Open())
             continue
@@ -486,6 +505,8 @@ def _run(function: Callable[..., Any], arguments: list[Any], constants: dict[str
     symbols = {name: _symbolic.Real(name, value)._Open() for name, value in constants.items()}
     try:
         return function(*arguments, **symbols)
+    except _NotRecordedError:  # a function that the law calls, which is named already
+        raise
     except Exception as error:
         line = _line_of(function, error.__traceback__)
         raise TypeError(f"{line}: the law {function.__name__} cannot be recorded: {_reason(error)}") from error
@@ -513,7 +534,8 @@ def _reason(error: Exception) -> str:
     if "has no value while" in text:
         return (
             "a quantity has no value yet, so that float, int, and functions of math cannot be used. Use functions of "
-            "numpy, such as np.sin(x), and array entries in a list: np.array([a, b, c])"
+            "numpy, such as np.sin(x), interpolate(x, xs, ys) of dalembert.laws in place of np.interp, and array "
+            "entries in a list: np.array([a, b, c])"
         )
     if "no callable" in text or "ufunc" in text:
         return (

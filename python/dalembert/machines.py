@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from math import atan, atan2, cbrt, copysign, cos, hypot, pi, radians, sin, tan
 from typing import Any
 
@@ -208,7 +209,10 @@ def GetBallBearingData(
     innerEdgeChamfer: float | None = None,
     outerEdgeChamfer: float | None = None,
 ) -> dict[str, Any]:
-    """Return the dimensions of a ball bearing, with usual proportions for values of None, and the ball positions.
+    """Return the dimensions of a ball bearing, with defaults for values of None, and the ball positions.
+
+    Pass radiusBalls: the default, which is that of Exudyn, does not fit between bore and outside. Usual is
+    0.145 (outsideDiameter - boreDiameter).
 
     ballPositions are in the frame of the bearing, turned by ballsAngleOffset about the axis, which is normalized; the
     grooves are parts of tori with innerGrooveTorusRadius and outerGrooveTorusRadius as larger radius.
@@ -223,6 +227,13 @@ def GetBallBearingData(
 
     rBall = default(radiusBalls, 0.58 * (outer - inner))
     rCage = default(radiusCage, 0.5 * (outer + inner))
+    if not inner < rCage - rBall < rCage + rBall < outer:
+        text = (
+            f"GetBallBearingData: radiusBalls: balls of radius {rBall:.4g} m at radiusCage {rCage:.4g} m do not fit "
+            f"between bore and outside, radii {inner:.4g} and {outer:.4g} m. The default is that of Exudyn; usual is "
+            f"{0.29 * (outer - inner):.4g} m"
+        )
+        warnings.warn(text, stacklevel=2)
     innerGroove = default(innerGrooveRadius, 1.04 * rBall)
     outerGroove = default(outerGrooveRadius, 1.04 * rBall)
     innerShoulder = default(innerRingShoulderRadius, rCage - 0.3 * rBall)

@@ -139,6 +139,21 @@ def test_wrong_belts_are_refused(given: dict[str, Any], text: str) -> None:
         drive(**given)
 
 
+def test_several_belts_in_one_model() -> None:
+    """Belts need no names; names of belts differ, and a refused belt leaves nothing in the model."""
+    model, pulleys, spans = drive(pretension=100)
+    given = {"body_numbers": pulleys, "positions": [each.position for each in pulleys], "radii": RADII}
+    spans += model.create_belt(**given, pretension=300, stiffness=STIFFNESS)
+    spans += model.create_belt("belt", **given, pretension=500, stiffness=STIFFNESS)
+    sizes = len(model.markers), len(model.nodes), len(model)
+    text = "model.create_belt: argument 'name': expected a name that is not in use, received 'belt': .*'Marker0:belt'"
+    with pytest.raises(ValueError, match=text):
+        model.create_belt("belt", **given)
+    assert (len(model.markers), len(model.nodes), len(model)) == sizes
+    model.assemble()
+    assert [float(each.force_local) for each in spans] == pytest.approx(np.repeat([100, 300, 500], 2), rel=1e-9)
+
+
 def test_the_order_of_pulleys_follows_the_axis() -> None:
     """Without the check, a belt with this order would cross itself between all pulleys."""
     points = ((0, 0, 0), (0.2, 0.3, 0), (0.4, 0, 0))

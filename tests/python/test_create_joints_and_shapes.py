@@ -109,6 +109,19 @@ def test_a_fixed_joint_makes_one_body_of_two(mbs: Any) -> None:
     assert np.sqrt(found[-1]) == pytest.approx(np.sqrt((10 * 0.5 + 8 * 1.2) * 10 / inertia), rel=1e-6)
 
 
+def test_a_fixed_joint_at_a_marker(mbs: Any) -> None:
+    """The marker sets the position, as in all joints: [] and None are the same."""
+    bodies = [mbs.CreateSphere(mass=1, referencePosition=[x, 0, 0]) for x in (0, 1)]
+    marker = mbs.AddMarker(exu.MarkerBodyRigid(bodyNumber=bodies[0], localPosition=[0.3, 0, 0]))
+    joints = [mbs.CreateFixedJoint(bodyNumbers=[marker, bodies[1]], **given) for given in ({}, {"position": []})]
+    mbs.Assemble()
+    for joint in joints:
+        other = mbs.GetObjectParameter(joint, "markerNumbers")[1]
+        assert mbs.GetMarkerOutput(other, Variable.Position) == pytest.approx([0.3, 0, 0])
+    with pytest.raises(ValueError, match="CreateFixedJoint.*expected a vector with 3 finite components, or None"):
+        mbs.CreateFixedJoint(bodyNumbers=[marker, bodies[1]], position=[0, 0])
+
+
 def test_a_sleeve_turns_and_falls(mbs: Any) -> None:
     """A cylindrical joint leaves rotation and translation along its axis free: g cos(a) along, constant rotation about."""
     tilt = RotationMatrixX(0.5)

@@ -254,3 +254,10 @@ def test_a_rope_over_a_turned_block(mbs: Any) -> None:
 def test_wrong_arguments_of_ropes(mbs: Any, given: dict[str, Any], text: str) -> None:
     with pytest.raises(ValueError, match=f"CreateRope.*{text}"):
         atwood(mbs, **given)
+
+
+def test_an_axis_in_the_plane_of_the_rope_is_announced(mbs: Any) -> None:
+    with pytest.warns(
+        UserWarning, match="CreateRope: axis: the line from point . to point . is inclined by 42 degrees"
+    ):
+        atwood(mbs, axis=[0, 1, 1])  # asin(0.9 / hypot(0.9, 0.3) / sqrt(2))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -332,3 +333,130 @@ def test_functions_that_cannot_be_recorded_are_refused(mbs: Any) -> None:
     for name, argument in (("CreateMotor", "torque"), ("CreatePrescribedMotion", "motion")):
         with pytest.raises(TypeError, match="cannot be recorded.*where"):
             getattr(mbs, name)(**place, **{argument: lambda t: 1.0 if t > 1 else 0.0})
+
+
+def test_parameters_that_a_law_replaces_are_refused(mbs: Any) -> None:
+    """They would have no effect; constants of the law, and parameters of items without one, can be set."""
+    model = exu.Model(mbs)
+    wheel, place = wheel_of(mbs)
+    motor = model.create_motor("motor", *place.values(), speed=2.0, damping=3.0)
+    push = model.create_force_from_table("push", "object1", table=[[0, 1], [1, 2]])
+    spring = model.create_torsional_spring_damper("spring", *place.values(), stiffness=1.0)
+    assert wheel == model.bodies[0]
+    motor.damping, spring.stiffness = 4.0, 2.0
+    assert motor.parameters["spring_torque_user_function.damping"] == 4.0 and spring.stiffness == 2.0
+    for set_it, text in (
+        (
+            lambda: setattr(motor, "stiffness", 1.0),
+            "'motor'.*stiffness has no effect, because the law in spring_torque_",
+        ),
+        (
+            lambda: motor.parameters.__setitem__("torque", 1.0),
+            "Set a constant of the law: 'spring_torque_user_function.d",
+        ),
+        (
+            lambda: setattr(push, "load_vector", [1, 0, 0]),
+            "'push'.*load_vector has no effect.*Create the item with ano",
+        ),
+    ):
+        with pytest.raises(ValueError, match=text):
+            set_it()
+    assert motor.parameters.torque == motor.stiffness == 0
+
+
+def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
+    """Such a motor would do nothing, as its torque is that of the joint."""
+    model = exu.Model()
+    arm = model.create_box("arm", size=[1, 0.1, 0.1], mass=2, reference_position=[0.5, 0, 0])
+    place: dict[str, Any] = {"body_numbers": ["ground", arm], "position": [0, 0, 0]}
+    model.create_motor(**place, axis="x", torque=1.0)  # without a joint, all axes are free
+    hinge = model.create_revolute_joint("hinge", **place, axis="-z")
+    for axis in ("z", "-z", [0, 0, 3]):
+        model.create_motor(**place, axis=axis, torque=1.0)
+    for make, given in (
+        (model.create_motor, {"torque": 1.0}),
+        (model.create_pid_controller, {"P": 1.0}),
+        (model.create_joint_stops, {"lower": -1.0, "stiffness": 1.0}),
+        (model.create_prescribed_motion, {"kind": "rotation"}),
+    ):
+        with pytest.raises(
+            ValueError, match=r"'axis': expected the axis \[.*-1.*\] of joint \d+ 'hinge' between these"
+        ):
+            make(**place, axis="x", **given)
+    model.delete(hinge)
+    model.create_prismatic_joint("rail", **place, axis="x")
+    with pytest.raises(ValueError, match="bodies that can turn, which the prismatic joint .* 'rail' .* does not allow"):
+        model.create_motor(**place, axis="x", torque=1.0)
+    model.create_pid_controller(**place, axis="x", kind="translation", P=1.0)
+    with pytest.raises(ValueError, match=r"'body_numbers\[1\]': expected a body or marker with position .*'rail'"):
+        model.create_motor(body_numbers=["ground", "rail"], position=[0, 0, 0], axis="x", torque=1.0)
+
+
+def test_drives_of_mass_points_are_refused() -> None:
+    model = exu.Model()
+    place: dict[str, Any] = {"position": [0, 0, 0], "axis": "z"}
+    for planar in (False, True):
+        mass = model.create_mass_point(f"mass{planar}", mass=1, create_2d=planar)
+        with pytest.raises(
+            ValueError, match=r"'body_numbers\[1\]': expected a rigid body, such as a sphere, .*'mass(False|True)'"
+        ):
+            model.create_prescribed_motion(body_numbers=["ground", mass], **place, motion=0.1)
+
+
+def test_drives_without_effect_are_refused_or_announced() -> None:
+    model = exu.Model()
+    wheel = model.create_cylinder("wheel", radius=1, length=0.1, mass=1)
+    place: dict[str, Any] = {"body_numbers": ["ground", wheel], "position": [0, 0, 0], "axis": "z"}
+    with pytest.raises(
+        ValueError, match="create_joint_stops: argument 'stiffness': expected a number greater than zero"
+    ):
+        model.create_joint_stops(**place, lower=-1.0)
+    for create in (model.create_force_from_table, model.create_torque_from_table):
+        with pytest.raises(ValueError, match="argument 'table': expected a number, a table .*, which is not zero"):
+            create(body_number=wheel)
+    with pytest.warns(
+        UserWarning, match="lower=0.5, upper=1: the reference configuration, where the angle is 0, is beyo"
+    ):
+        model.create_joint_stops(**place, lower=0.5, upper=1, stiffness=1.0)
+
+
+def test_splines_that_overshoot_are_announced() -> None:
+    """The spline through a step between two long lines goes far beyond; one through samples of a sine does not."""
+    model = exu.Model()
+    body = model.create_box("body", mass=1)
+    place: dict[str, Any] = {"body_numbers": ["ground", body], "position": [0, 0, 0], "axis": "z"}
+    step = [[0, 0], [0.5, 0], [0.7, 0.05], [3, 0.05]]
+    spline = laws.interpolate(np.linspace(0, 3, 2001), *np.transpose(step), True)
+    with pytest.warns(
+        UserWarning, match=r"motion: the spline through the table reaches (0\.\d+) at t = .*smooth=False"
+    ) as got:
+        model.create_prescribed_motion(**place, motion=step)
+    reached = float(str(got[0].message).partition("reaches ")[2].split()[0])
+    assert reached == pytest.approx(spline.max(), rel=0.01)  # nine samples in each part: within 1 % of the maximum
+    assert got[0].filename == __file__
+    t = np.linspace(0, 2, 13)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        model.create_prescribed_motion(**place, motion=np.column_stack([t, np.sin(2 * np.pi * t + 0.3)]))
+        model.create_prescribed_motion(**place, motion=step, smooth=False)
+
+
+def test_errors_of_functions_name_argument_and_line() -> None:
+    model = exu.Model()
+    wheel = model.create_cylinder("wheel", radius=1, length=0.1, mass=1)
+    place: dict[str, Any] = {"body_numbers": ["ground", wheel], "position": [0, 0, 0], "axis": "z"}
+    for function, text in (
+        (
+            lambda t: 1.0 if t > 1 else 0.0,
+            r"argument 'torque' cannot be recorded: test_drives.py, line \d+ .*Use where\(",
+        ),
+        (lambda t: np.interp(t, [0, 1], [0, 1]), r"test_drives.py, line \d+ .*interpolate\(x, xs, ys\) .* np.interp"),
+        (lambda t: None, "argument 'torque': expected a function of t that returns a number, received None"),
+        (lambda: 1.0, r"argument 'torque' cannot be recorded: test_drives.py, line \d+ .*takes 0 positional"),
+    ):
+        with pytest.raises(TypeError, match=f"model.create_motor: .*{text}"):
+            model.create_motor(**place, torque=function)
+    with pytest.raises(
+        TypeError, match=r"model.create_prescribed_motion: argument 'motion' cannot be recorded: test_dri"
+    ):
+        model.create_prescribed_motion(**place, motion=lambda t: abs(t) if t else 0)

@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import threading
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -295,6 +296,12 @@ print(fmu.getReal([0]))
     assert abs(float(run.stdout.strip("[]\n")) - displacement(0.1)) < 2e-3
 
 
+def continued() -> db.SimulationSettings:
+    settings = db.SimulationSettings()
+    settings.continuation.restartFileName = "restart.txt"
+    return settings
+
+
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
@@ -307,6 +314,11 @@ print(fmu.getReal([0]))
         ({"inputs": {"f": ("push", 3)}}, "load_vector: received entry 3, but expected 0 to 2"),
         ({"inputs": {"f": ("push", "body_fixed")}}, "body_fixed is False, but expected a real number or a vector"),
         ({"inputs": {"f": ("mass", "physics_mass", 0)}}, "physics_mass is one number, without entry 0"),
+        (
+            {"inputs": {"f": "push", "g": ("push", 1)}},
+            r"inputs\['g'\]: 'f\[2\]' sets load_vector of .*'push'.* as well",
+        ),
+        ({"settings": continued()}, "settings.continuation: a solution of an FMU cannot be continued"),
         ({"inputs": {"f": ("pushh", 0)}}, "no item 'pushh'. Did you mean 'push'"),
         ({"outputs": {"x": ("mass", "placement", 0)}}, "no output 'placement'"),
         ({"outputs": {"x": ("speed", 3)}}, "values: received entry 3, but expected 0 to 2"),
@@ -319,6 +331,57 @@ def test_wrong_exports_are_refused(tmp_path: Path, arguments: dict[str, Any], te
     with pytest.raises((ValueError, KeyError, OSError), match=text):
         oscillator().export_fmu(**(given | arguments))
     assert not list(tmp_path.iterdir())
+
+
+def driven(**motor: Any) -> db.Model:
+    """Return an arm of 2 kg and 1 m on a hinge, with a motor whose law is recorded."""
+    model = db.Model()
+    arm = model.create_box("arm", size=[1, 0.1, 0.1], reference_position=[0.5, 0, 0], mass=2)
+    hinge: Any = {"body_numbers": ["ground", arm], "position": [0, 0, 0], "axis": "z"}
+    model.create_revolute_joint(**hinge)
+    model.create_motor("motor", **hinge, **motor)
+    model.create_sensor(arm, "angular_velocity", name="speed")
+    return model
+
+
+@pytest.mark.parametrize("given", [("arm", "mass"), ("arm", "physics_mass"), ("arm", "center_of_mass", 0)])
+def test_a_mass_without_its_inertia_is_announced(tmp_path: Path, given: Any) -> None:
+    """The inertia of a body does not follow its mass; a mass point has none."""
+    signals: Any = ({}, {"w": ("speed", 2)}, 1e-3)
+    what = "center_of_mass" if "center_of_mass" in given else "mass"
+    text = rf"export_fmu: <RigidBody 'arm' .*another {what} does not change the inertia.*Add \('arm', 'inertia'\)"
+    with pytest.warns(UserWarning, match=text):
+        driven(torque=1.0).export_fmu(tmp_path / "a.fmu", *signals, parameters={"m": given})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        both = {"m": given, "J": ("arm", "inertia")}
+        driven(torque=1.0).export_fmu(tmp_path / "a.fmu", *signals, parameters=both)
+
+
+def test_mass_and_inertia_of_an_exported_body(tmp_path: Path) -> None:
+    """A torque of 1 Nm about the end of a bar of mass m and moment J about its middle: w = t / (J + m / 4)."""
+    parameters = {"m": ("arm", "mass"), "J": ("arm", "inertia", 2)}
+    driven(torque=1.0).export_fmu(tmp_path / "a.fmu", {}, {"w": ("speed", 2)}, 1e-3, parameters=parameters)
+    found = fmpy.simulate_fmu(str(tmp_path / "a.fmu"), start_values={"m": 4.0, "J": 0.5}, stop_time=0.5)
+    assert found["w"][-1] == pytest.approx(0.5 / (0.5 + 4 / 4), rel=1e-7)  # second order: 3e-4 rad in a step
+
+
+def test_constants_of_laws_are_parameters(tmp_path: Path) -> None:
+    """The speed of a motor tends to its set point w0: w = w0 (1 - exp(-d t / J)); other parameters have no effect."""
+    model = driven(speed=3.0, damping=0.5)
+    signals: Any = ({}, {"w": ("speed", 2)}, 1e-3)
+    model.export_fmu(tmp_path / "a.fmu", *signals, parameters={"d": ("motor", "damping")})
+    inertia = 2 * (1 + 0.1**2) / 12 + 2 * 0.5**2
+    for d in (0.5, 2.0):
+        found = fmpy.simulate_fmu(str(tmp_path / "a.fmu"), start_values={"d": d}, stop_time=0.5)
+        assert found["w"][-1] == pytest.approx(3 * (1 - np.exp(-d * 0.5 / inertia)), rel=1e-4)  # second order, 1 ms
+    for name in ("stiffness", "offset", "torque"):
+        text = f"'motor'.*{name} has no effect, because the law.*replaces it. Set a constant of the law: '.*damping'"
+        with pytest.raises(ValueError, match=text):
+            model.export_fmu(tmp_path / "b.fmu", *signals, parameters={"p": ("motor", name)})
+    load = model.create_force_from_table("wind", "arm", table=[[0, 1], [1, 2]])
+    with pytest.raises(ValueError, match="'wind'.*load_vector has no effect.*Create the item with another law"):
+        model.export_fmu(tmp_path / "b.fmu", {"f": load}, *signals[1:])
 
 
 # ---- FMUs in models
@@ -458,6 +521,8 @@ def test_other_solvers_refuse_models_with_fmus(tmp_path: Path) -> None:
             {"outputs": {"force": "push"}},
             "load_vector has 3 entries; write .'push', 'load_vector', 0. for the first one",
         ),
+        ({"values": {"force": 1}}, "a start value of 'force' has no effect, because the FMU computes it"),
+        ({"values": {"x": 1}}, "a start value of 'x' has no effect, because it is measured, as one of inputs"),
         ({"values": {"stifness": 1}}, "no variable 'stifness'. Did you mean 'stiffness'"),
         ({"outputs": []}, "outputs: expected variables of the FMU by name"),
     ],

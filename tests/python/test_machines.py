@@ -1,5 +1,7 @@
 """Involute functions, gear outlines and bearing dimensions."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -53,6 +55,16 @@ def test_bearing_grooves_touch_the_balls():
     assert abs(first) == pytest.approx(0.1)
     assert data["innerGrooveTorusRadius"] - data["innerGrooveRadius"] == pytest.approx(0.025)
     assert data["outerGrooveTorusRadius"] + data["outerGrooveRadius"] == pytest.approx(0.035)
+
+
+def test_balls_that_do_not_fit_are_announced():
+    """The default is that of Exudyn, balls of 16 mm between radii that are 13.5 mm apart; those of type 6204 have 8 mm."""
+    bearing = {"axis": [1, 0, 0], "outsideDiameter": 0.047, "boreDiameter": 0.02, "width": 0.014, "nBalls": 8}
+    with pytest.warns(UserWarning, match="radiusBalls: balls of radius 0.00783 m .* do not fit .* usual is 0.003915 m"):
+        machines.GetBallBearingData(**bearing)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        machines.GetBallBearingData(**bearing, radiusBalls=7.938e-3 / 2)
 
 
 def test_numbers_of_involutes_that_are_none_are_named():

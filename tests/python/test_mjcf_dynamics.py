@@ -152,6 +152,31 @@ def test_rigid_bodies_move_like_the_tree(name: str, tmp_path: Path) -> None:
     np.testing.assert_allclose(bodies, tree, atol=1e-5)
 
 
+FREE = """<body name="hull" pos="0 .2 1" euler="10 20 30"><freejoint name="f"/><geom type="box" size=".1 .2 .3"/>
+<site name="tip" pos=".1 .2 .3"/><body pos=".2 0 0" gravcomp=".5"><joint axis="0 1 0" damping="2"/><geom size=".1" pos=".2 0 0"/></body></body>"""
+
+
+def test_free_bodies_move_like_the_tree(tmp_path: Path) -> None:
+    """A floating joint needs no joint among rigid bodies, as long as nothing acts on its coordinates."""
+    thruster = '<actuator><motor name="r" site="tip" gear="90 0 20 0 3 0"/></actuator>'
+    robot, told = read(tmp_path / "robot.xml", model(FREE, "", thruster))
+    assert told == []
+    robot.actuators["r"].control = 1.5
+    tree, bodies = (tip_of(robot, redundant) for redundant in (False, True))
+    assert np.linalg.norm(tree - robot.FrameHT("tip", robot.referenceConfiguration)[:3, 3]) > 0.1
+    np.testing.assert_allclose(bodies, tree, atol=1e-5)  # as above
+    mbs = exu.SystemContainer().AddSystem()
+    base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+    for name, value in (("damping", 2.0), ("stiffness", 3.0), ("PDcontrol", (1.0, 2.0))):
+        other, _ = read(tmp_path / "robot.xml", model(FREE))
+        setattr(other.links[4], name, value)
+        with pytest.raises(ValueError, match="link 0 '' has no mass, which needs the coordinates of the joints"):
+            other.CreateRedundantCoordinateMBS(mbs, base)
+    other, _ = read(tmp_path / "robot.xml", model(FREE))
+    with pytest.raises(ValueError, match="link 0 '' has no mass"):
+        other.CreateRedundantCoordinateMBS(mbs, base, jointLoadUserFunctionList=[lambda mbs, t, load: [0, 0, 0]])
+
+
 RANGES = 'ctrlrange="-.5 .6" forcerange="-2 1.5"'
 DEFAULTS = """<default><default class="x"><position kp="40" kv="3"/><default class="y"><general gear="-2" ctrlrange="-.4 .4"/>
 </default></default><default class="z"><general gaintype="affine" gainprm="4 .3 -.2" biastype="affine" biasprm=".3 -5 -1"/>

@@ -197,7 +197,7 @@ LEFT_OUT = {
     "actuators <dcmotor>: 'm', act of keyframes with actuators 'm'": actuated('<dcmotor name="m" joint="j"/>').replace(
         "</mujoco>", '<keyframe><key act="1"/></keyframe></mujoco>'
     ),
-    "contact with geoms of the world 'floor', 'box'": hinged(BOX).replace(
+    "contact, without contacts=True, with geoms of the world 'floor', 'box'": hinged(BOX).replace(
         "<worldbody>",
         '<worldbody><geom name="floor" type="plane" size="1 1 1"/><geom type="box" size="1 1 1" contype="0"/>'
         '<geom size=".1" contype="0" conaffinity="0"/>',
@@ -205,7 +205,6 @@ LEFT_OUT = {
     "density of <option>, wind of <option>": hinged(before='<option density="1.2" wind="1 0 0"/>'),
     "alignfree of <compiler>": hinged(before='<compiler alignfree="true"/>'),
     "align of free joints 'f'": hinged(joint='<freejoint name="f" align="true"/>'),
-    "<attach> in bodies 'b'": hinged(BOX + '<attach model="m" prefix="p"/>'),
     "<composite> in bodies 'b'": hinged(BOX + '<composite type="cable"/>'),
     "<flexcomp> in bodies 'b'": hinged(BOX + '<flexcomp type="grid"/>'),
     "shellinertia of ellipsoids and meshes, which are taken for solid, of bodies 'b'": hinged(

@@ -87,6 +87,8 @@ def test_missing_items() -> None:
     assert len(model) == 3
     with pytest.raises(AttributeError, match="use model.create_ground"):
         model.CreateGround()
+    with pytest.raises(AttributeError, match="'compute_vibration_modes'; use model.system.ComputeVibrationModes"):
+        _ = model.compute_vibration_modes
     with pytest.raises(AttributeError, match="use model.system.GetObject"):
         model.GetObject(0)
     with pytest.raises(AttributeError, match="Did you mean 'create_rigid_body'"):
@@ -119,6 +121,20 @@ def test_errors_of_create_methods_have_their_names() -> None:
         model.create_mass_point("name", name="other")
     with pytest.raises(ValueError, match=r"model.create_sensor of <MassPoint 'mass'.*no output 'positon'.*'position'"):
         model.create_sensor("mass", "positon")
+    ball = model.create_sphere("ball", mass=1)
+    joint = model.create_revolute_joint(body_numbers=["ground", ball], position=[0, 0, 0], axis="z")
+    with pytest.raises(
+        ValueError, match="output: 'force' is a part of 'wrench_on_marker0', 3 numbers of force and 3 of"
+    ):
+        model.create_sensor(joint, "force")
+    cable = model.create_cable()
+    text = r"body_numbers: expected a body or a marker, .* its ends are \['start'\] and \['end'\]"
+    with pytest.raises(ValueError, match=f"model.create_spherical_joint: {text}"):
+        model.create_spherical_joint(body_numbers=[cable, ball], position=[0, 0, 0])
+    with pytest.raises(
+        ValueError, match=r"'body_numbers\[0\]': expected a body or marker with position and orientation"
+    ):
+        model.create_spherical_joint(body_numbers=[cable["elements"][-1], ball], position=[0, 0, 0])
 
 
 def test_create_methods_are_those_of_the_system() -> None:
@@ -584,6 +600,14 @@ def test_wrong_arguments_of_solve() -> None:
         (
             {"end_time": 1, "step_size": 0.1, "outputs": [("mass", "positon")]},
             "'mass'.*no output 'positon'.*'position'",
+        ),
+        (
+            {"end_time": 1, "step_size": 0.1, "outputs": ["mass.position.x"]},
+            r"received 'mass.position.x', but expected 'mass.position', .* solution\['mass'\].position\[:, 0\] is the",
+        ),
+        (
+            {"end_time": 1, "step_size": 0.1, "outputs": [("mass", "position", 0)]},
+            "expected a point with 3 numbers as third entry, received 0",
         ),
         ({"end_time": 1, "step_size": 0.1, "outputs": ["mass"]}, r"write \(mass, 'position'\) for example"),
         ({"end_time": 1, "step_size": 0.1, "every": -1}, "every: expected a finite number that is not negative"),

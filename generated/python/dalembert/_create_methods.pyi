@@ -500,6 +500,7 @@ class CreateMethods:
         limit_stiffness: float = ...,
         limit_damping: float = ...,
         keyframe: str = ...,
+        contacts: bool = ...,
     ) -> dict[str, Any]:
         """Add the robot of a URDF or MJCF file; return a dict with robot, the Robot, and the items that were added."""
     def create_rolling_disc(

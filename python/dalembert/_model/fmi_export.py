@@ -27,6 +27,7 @@ from dalembert._model.fmi_signals import (
     missing_package,
     parameters_of,
     signal_of,
+    warn_of_inertia,
 )
 from dalembert._model.fmi_slave import Slave
 from dalembert._model.solve import _settings
@@ -97,6 +98,8 @@ def export_fmu(
         raise ValueError(f"{where}: file_name: expected a name that ends with .fmu, received '{file_name}'")
     used = _settings(where, settings)
     kind = words.member(DynamicSolverType, method, f"{where}: method")
+    if used.continuation.restartFileName or used.continuation.ifAvailable:
+        raise ValueError(f"{where}: settings.continuation: a solution of an FMU cannot be continued from a file")
     if events_of(model.system):
         raise ValueError(f"{where}: the model has FMUs itself; connect them in the program that imports the new one")
     used.timeIntegration.verboseMode = 0 if settings is None else used.timeIntegration.verboseMode
@@ -142,8 +145,14 @@ def _facts(model: Any, inputs: Any, outputs: Any, parameters: Any, where: str) -
             found = parameters_of(model, each, name, f"{where}: {argument}['{name}']")
             if again := [one for one in found if one in settable]:
                 raise ValueError(f"{where}: {argument}: '{again[0]}' is also the name of an input")
+            for one in found.values():
+                if twice := [key for key, other in settable.items() if other.plain() == one.plain()]:
+                    raise ValueError(
+                        f"{where}: {argument}['{name}']: '{twice[0]}' sets {one.name} of {one.handle!r} as well"
+                    )
             settable |= found
             tunable += found if argument == "parameters" else []
+    warn_of_inertia(where, settable.values())
     check_names(f"{where}: outputs", outputs, "{'angle': sensor}")
     sources, names = [], []
     for name, each in outputs.items():

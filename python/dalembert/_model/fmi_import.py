@@ -28,6 +28,7 @@ from dalembert._model.fmi_signals import (
     missing_package,
     parameters_of,
     signal_of,
+    warn_of_inertia,
 )
 from dalembert._model.solve import _FIXED_STEPS
 from dalembert._tools.missing_names import nearest
@@ -35,6 +36,7 @@ from dalembert._tools.missing_names import nearest
 _REAL = {"2.0": "Real", "3.0": "Float64"}  # types of variables, which are also the ends of names of functions
 _ON_TIME = 1e-6  # part of a step; there is no step at the end of a solution
 _ERROR, _FATAL = 3, 4  # statuses of calls
+_COMPUTED = ("output", "calculatedParameter", "independent")  # causalities of variables without start values
 
 
 @dataclass(frozen=True)
@@ -279,7 +281,13 @@ def add_fmu(
     given = {"inputs": (inputs, "input"), "outputs": (outputs, "output"), "values": (values or {}, "")}
     for argument, (names, causality) in given.items():
         _check_variables(f"{where}: {argument}", names, causality, variables, os.path.basename(file))
-    measured, driven = {}, {}
+    for name in values or {}:
+        computed = variables[name].causality in _COMPUTED and variables[name].initial not in ("exact", "approx")
+        if computed or name in inputs:
+            reason = "the FMU computes it" if computed else "it is measured, as one of inputs"
+            raise ValueError(f"{where}: values: a start value of '{name}' has no effect, because {reason}")
+    measured: dict[str, Any] = {}
+    set_by_fmu: dict[str, Parameter] = {}
     for name, each in inputs.items():
         source = signal_of(model, each, f"{where}: inputs['{name}']")
         if (size := len(source.values())) != 1:
@@ -296,12 +304,14 @@ def add_fmu(
                 f"{where}: outputs['{name}']: {one.handle!r}: {one.name} has {len(found)} entries; write "
                 f"('{one.handle.name}', '{one.name}', 0) for the first one"
             )
-        driven[name] = found[name].plain()
+        set_by_fmu[name] = found[name]
+    driven = {name: each.plain() for name, each in set_by_fmu.items()}
     others = events.fmus if (events := events_of(model.system)) else []
     taken = [plain for each in others for plain in each.outputs.values()]
     for name, plain in driven.items():
         if taken.count(plain) + list(driven.values()).count(plain) > 1:
             raise ValueError(f"{where}: outputs['{name}']: another output of an FMU sets {plain[3]} of '{plain[2]}'")
+    warn_of_inertia(where, set_by_fmu.values())
     fmu = Fmu(file, step, dict(values or {}), measured, driven)
     if events is None:
         events = _Events(model.system.GetEventsUserFunction(), model.system.GetEventActionUserFunction())

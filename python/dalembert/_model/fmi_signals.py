@@ -6,7 +6,8 @@ Both have a plain form, a list for JSON files and pickles, from which they are m
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+import warnings
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,8 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._model.handle import Handle, handle_of
 from dalembert._model.solution import output_of
+from dalembert._snake_case import snake_case
+from dalembert._tools.item_facts import facts_of
 
 _NAME = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*")
 
@@ -93,7 +96,12 @@ def parameters_of(model: Any, given: Any, name: str, where: str) -> dict[str, Pa
         value = handle.parameters[parameter]
     except KeyError as error:
         raise ValueError(f"{where}: {error.args[0]}") from None
+    row = facts_of(handle._item).parameters.get(snake_case(parameter))
+    constants = handle._constants(row.name) if row else []
+    if row and (reason := handle._unread(row.name)):
+        raise ValueError(f"{where}: {handle!r}: {reason}")
     if isinstance(value, float):
+        parameter = constants[0] if constants else parameter
         if entry is not None:
             raise ValueError(f"{where}: {handle!r}: {parameter} is one number, without entry {entry!r}")
         return {name: Parameter(handle, parameter)}
@@ -102,6 +110,23 @@ def parameters_of(model: Any, given: Any, name: str, where: str) -> dict[str, Pa
     if entry is None:
         return {f"{name}[{i + 1}]": Parameter(handle, parameter, i) for i in range(len(value))}
     return {name: Parameter(handle, parameter, _entry_of(entry, len(value), f"{where}: {handle!r}: {parameter}"))}
+
+
+def warn_of_inertia(where: str, parameters: Iterable[Parameter]) -> None:
+    """Warn of rigid bodies whose mass or center of mass is set from outside, but not the inertia that belongs to it."""
+    names: dict[Any, set[str]] = {}
+    for each in parameters:
+        row = facts_of(each.handle._item).parameters.get(snake_case(each.name))
+        names.setdefault(each.handle, set()).add(row.name if row else each.name)
+    for handle, given in names.items():
+        changed = given & {"physicsMass", "physicsCenterOfMass"}
+        if changed and "physicsInertia" not in given and "physics_inertia" in handle.parameters:
+            name = " and ".join(sorted(snake_case(each.removeprefix("physics")) for each in changed))
+            text = (
+                f"{where}: {handle!r}: another {name} does not change the inertia (about the reference point). Add "
+                f"('{handle.name}', 'inertia') to set it as well, or use a mass point for a payload"
+            )
+            warnings.warn(text, stacklevel=4)
 
 
 def _parts_of_parameter(model: Any, given: Any, where: str) -> tuple[Any, str, Any]:

@@ -242,15 +242,34 @@ class Handle:
     def _get(self, name: str) -> Any:
         return _readable(self._mbs, getattr(self._mbs, f"Get{self._kind}Parameter")(self._number(), name))
 
-    def _constants(self, name: str) -> list[str]:
-        """Return the full names of the constant of this name of recorded functions, which replaces a parameter."""
+    def _recorded(self) -> dict[str, _core.symbolic.UserFunction]:
+        """Return the recorded functions by the names of their parameters."""
         functions = [row.name for row in facts_of(self._item).parameters.values() if row.type == "function or 0"]
         given = {each: getattr(self._mbs, f"Get{self._kind}Parameter")(self._number(), each) for each in functions}
-        recorded = {each: law for each, law in given.items() if isinstance(law, _core.symbolic.UserFunction)}
-        return [f"{each}.{name}" for each, law in recorded.items() if name in law._Variables()]
+        return {each: law for each, law in given.items() if isinstance(law, _core.symbolic.UserFunction)}
+
+    def _constants(self, name: str) -> list[str]:
+        """Return the full names of the constant of this name of recorded functions, which replaces a parameter."""
+        return [f"{each}.{name}" for each, law in self._recorded().items() if name in law._Variables()]
+
+    def _unread(self, name: str) -> str:
+        """Return why a parameter has no effect, as a law of dalembert.laws takes its place, or an empty text."""
+        if not (recorded := self._recorded()) or self._constants(name):
+            return ""
+        from dalembert.laws import unread_parameters
+
+        for function, law in recorded.items():
+            if name in unread_parameters(self._item, function, law):
+                own_name = snake_case(function)
+                known = ", ".join(f"'{own_name}.{each}'" for each in law._Variables())
+                remedy = f"Set a constant of the law: {known}" if known else "Create the item with another law"
+                return f"{snake_case(name)} has no effect, because the law in {own_name} replaces it. {remedy}"
+        return ""
 
     def _set(self, row: Row, value: Any, prefix: str = "") -> None:
         number = self._number()
+        if not prefix and (reason := self._unread(row.name)):
+            raise ValueError(f"{self!r}: {reason}")
         where = f"{self!r}: {snake_case(row.name)}"
         value = words.value_of(own(self._mbs, value, where), row.type, row.check, where)
         getattr(self._mbs, f"Set{self._kind}Parameter")(number, prefix + row.name, value)
@@ -308,7 +327,12 @@ class Handle:
         where = f"{self!r}: output"
         own_output = facts_of(self._item).outputs.get(snake_case(variable)) if isinstance(variable, str) else None
         part = own_output.part if own_output else slice(None)
-        variable = words.member(OutputVariableType, own_output and own_output.source or variable, where)
+        try:
+            variable = words.member(OutputVariableType, own_output and own_output.source or variable, where)
+        except ValueError:
+            known = list(facts_of(self._item).outputs)
+            hint = nearest(snake_case(variable), known) or f". It has {', '.join(known) or 'none'}"
+            raise ValueError(f"{self!r} has no output '{variable}'{hint}") from None
         configuration = words.member(ConfigurationType, configuration, f"{where}: configuration")
         number = self._number()
         assemble_if_needed(self._mbs)
@@ -328,6 +352,8 @@ class Handle:
                 hint = f"'{name}' could be the parameter or the output: write parameters.{name} or outputs.{output}"
                 raise missing(f"{self._description()}: ", hint, name, None)
             hint = nearest(name, self._shown) or f". It has {', '.join(self._shown)}"
+            if snake_case(name) in facts_of(self._item).visualization:
+                hint = f"; write visualization.{snake_case(name)}"
             raise missing(text, hint, name, None)
 
         def __setattr__(self, name: str, value: Any) -> None:

@@ -241,7 +241,10 @@ class Model(CreateMethods):
             if isinstance(output, str):
                 check_output(item, snake_case(output), where)
                 if source := facts_of(item._item).outputs.get(snake_case(output), Output("", 0, "", "")).source:
-                    raise ValueError(f"{where}: '{output}' is a part of '{snake_case(source)}', which sensors have")
+                    raise ValueError(
+                        f"{where}: '{output}' is a part of '{snake_case(source)}', 3 numbers of force and 3 of torque: "
+                        "create a sensor of that"
+                    )
             common["outputVariableType"] = words.member(OutputVariableType, output, where)
             if not isinstance(common["outputVariableType"], OutputVariableType):
                 known = ", ".join(f"'{each}'" for each in item.outputs)
@@ -329,6 +332,7 @@ class Model(CreateMethods):
     ) -> Solution:
         """Find the static equilibrium and return the solution; its times are load factors.
 
+        Functions and tables of time, such as prescribed motions, are evaluated at the load factor, 1 at the end.
         load_steps: number of steps in which loads grow. update_initial_values: True: the next solution starts from the
         equilibrium. See solve for the others.
         """
@@ -461,6 +465,8 @@ class Model(CreateMethods):
             if hasattr(MainSystem, name):
                 own_name = snake_case(name)
                 hint = f"; use model.{own_name}" if hasattr(Model, own_name) else f"; use model.system.{name}"
+            elif of_system := [each for each in dir(MainSystem) if snake_case(each) == name]:
+                hint = f"; use model.system.{of_system[0]}"
             else:
                 hint = nearest(name, [each for each in dir(Model) if not each.startswith("_")])
             raise missing(text, hint, name, None)
@@ -564,6 +570,8 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
             given[parameter.name] = value
         self._require_new_name(where, given.get("name"))
         for key, value in given.items():
+            if "body" in key.lower():
+                _require_no_parts(f"{where}: {snake_case(key)}", value)
             given[key] = _value(function, key, own(self.system, value, f"{where}: {snake_case(key)}"), where)
         try:
             return wrapped(self.system, function(self.system, **given))
@@ -580,6 +588,15 @@ def _create_method(name: str, create_name: str) -> Callable[..., Any]:
     method.__name__, method.__qualname__ = name, f"Model.{name}"
     method.__doc__ = _snake_case_text(function.__doc__ or "", [each.name for each in parameters], create_name, name)
     return method
+
+
+def _require_no_parts(where: str, value: Any) -> None:
+    """Raise the ValueError for the dictionary that create_beam and create_cable return, in the place of a body."""
+    for each in value if isinstance(value, (list, tuple)) else (value,):
+        if isinstance(each, dict):
+            ends = " and ".join(f"['{name}']" for name in ("start", "end") if name in each)
+            hint = f": its ends are {ends}" if ends else ""
+            raise ValueError(f"{where}: expected a body or a marker, received a dictionary with its parts{hint}")
 
 
 def _renamed(text: str, create_name: str, name: str) -> str:

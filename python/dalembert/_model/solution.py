@@ -81,7 +81,14 @@ class Computed(NamedTuple):
 def output_of(model: Any, wanted: Any, where: str) -> tuple[Any, str, Any]:
     """Return handle, output and local position of (item, 'position'), (item, 'position', point) or 'arm.position'."""
     if isinstance(wanted, str) and "." in wanted:
-        wanted = wanted.rsplit(".", 1)
+        item, _, name = wanted.rpartition(".")
+        first, _, output = item.partition(".")
+        if output and item not in model and first in model:  # such as 'arm.position.x'
+            raise ValueError(
+                f"{where}: received '{wanted}', but expected '{item}', with all components; "
+                f"solution['{first}'].{output}[:, 0] is the first one"
+            )
+        wanted = [item, name]
     if isinstance(wanted, (Handle, str)):
         handle = model._item_of(wanted, where)
         if handle._kind == "Sensor":
@@ -96,6 +103,8 @@ def output_of(model: Any, wanted: Any, where: str) -> tuple[Any, str, Any]:
         )
     handle, name = model._item_of(wanted[0], where), snake_case(str(wanted[1]))
     check_output(handle, name, where)
+    if len(wanted) == 3 and wanted[2] is not None and np.shape(wanted[2]) != (3,):
+        raise ValueError(f"{where}: expected a point with 3 numbers as third entry, received {wanted[2]!r}")
     return handle, name, wanted[2] if len(wanted) == 3 else None
 
 
@@ -201,7 +210,10 @@ class Solution:
 
     @property
     def energies(self) -> EnergyHistory:
-        """kinetic, potential and total energy over time (J); potential energy is zero in the reference configuration"""
+        """kinetic, potential and total energy over time (J); potential energy is zero in the reference configuration
+
+        Loads and motors count as well: their forces at rest are part of the potential energy.
+        """
         if self._energies is None:
             from dalembert._solving.energies import ComputeEnergies
 

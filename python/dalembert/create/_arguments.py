@@ -14,6 +14,7 @@ import numpy.typing as npt
 from dalembert._checks import COLOR, ROTATION, as_array, color_problem, rotation_problem, shape_error
 from dalembert._core import (
     MarkerIndex,
+    ModelError,
     NodeIndex,
     ObjectIndex,
     _is_plain_not_negative,
@@ -247,11 +248,20 @@ def checked(function: FunctionType, checks: dict[str, Check], renamed: dict[str,
         before = _item_counts(args[0])
         try:
             return created(args[0], function(*args, **kwargs))
-        except BaseException:
+        except BaseException as error:
             _take_back(args[0], before)
+            _explain_name(function.__name__, given.get("name"), error)
             raise
 
     return call
+
+
+def _explain_name(function: str, name: Any, error: BaseException) -> None:
+    """Name the argument in the error of a part, such as the marker 'Marker0:belt' of the belt 'belt'."""
+    text = str(error)
+    if isinstance(error, ModelError) and name and "parameter 'name': received" in text and "MainSystem." not in text:
+        named = f"MainSystem.{function}(...): argument 'name': expected a name that is not in use, received {name!r}"
+        error.args = (f"{named}: {text}", *error.args[1:])
 
 
 _DELETING = {

@@ -9,7 +9,15 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert._checks import FloatArray
-from dalembert._core import ConfigurationType, MarkerIndex, NodeIndex, ObjectIndex, OutputVariableType, Print
+from dalembert._core import (
+    ConfigurationType,
+    MarkerIndex,
+    ModelError,
+    NodeIndex,
+    ObjectIndex,
+    OutputVariableType,
+    Print,
+)
 from dalembert.create._arguments import (
     ZERO3,
     Vector,
@@ -180,8 +188,16 @@ def joint_place(
         raise argument_error(function, "position", expected, position)
 
     require_items(mbs, function, "bodyNumbers", bodyNumbers)
-    positions = [reference_position(mbs, number) for number in bodyNumbers]
-    rotations = [reference_rotation(mbs, number) for number in bodyNumbers]
+    positions, rotations = [], []
+    for i, number in enumerate(bodyNumbers):
+        try:
+            positions.append(reference_position(mbs, number))
+            rotations.append(reference_rotation(mbs, number))
+        except ModelError as error:
+            name = mbs.GetMarker(number)["name"] if isinstance(number, MarkerIndex) else mbs.GetObject(number)["name"]
+            raise argument_error(
+                function, f"bodyNumbers[{i}]", "a body or marker with position and orientation", name
+            ) from error
     if has_marker:
         point = next(p for p, n in zip(positions, bodyNumbers, strict=True) if isinstance(n, MarkerIndex))
     else:
@@ -226,6 +242,25 @@ def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: Floa
     raise argument_error(
         function, "axis", f"an axis of the plane, because body {body!r} (create2D=True) {motion}", axis.tolist()
     )
+
+
+def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray) -> None:
+    """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow."""
+    wanted = {int(number) for number in bodies if not isinstance(number, MarkerIndex)}
+    for number in range(mbs.systemData.NumberOfObjects()):
+        joint = mbs.GetObject(number)
+        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX") or len(wanted) != 2:
+            continue
+        markers = [mbs.GetMarker(marker) for marker in joint["markerNumbers"]]
+        if {int(marker.get("bodyNumber", -1)) for marker in markers} != wanted:
+            continue
+        text = f"joint {number} '{joint['name']}' between these bodies"
+        if joint["objectType"] == "JointPrismaticX":
+            expected = f"bodies that can turn, which the prismatic {text} does not allow"
+            raise argument_error(function, "bodyNumbers", expected, bodies)
+        along = (reference_rotation(mbs, markers[0]["bodyNumber"]) @ joint["rotationMarker0"])[:, 2]
+        if np.linalg.norm(np.cross(along, axis)) > 1e-6 * np.linalg.norm(axis):
+            raise argument_error(function, "axis", f"the axis {along.round(6)} of {text}", axis.tolist())
 
 
 def add_joint_markers(mbs: Any, place: JointPlace, name: str, rigid: bool = True) -> list[Any]:

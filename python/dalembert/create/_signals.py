@@ -6,7 +6,9 @@ They are recorded once, with the operations of dalembert.laws, so that solvers e
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +30,8 @@ Signal = (
     | Callable[[Any], Any]
 )
 _symbolic: Any = symbolic
+_SAMPLES = 9  # of a spline in each part of a table, to find how far it goes beyond the values
+_OVERSHOOT = 0.1  # of the range of the values: curves through samples of a sine, six a period, stay below
 SIGNAL = (
     "a number, a table [[t, value], ...], the name of a CSV or MAT file with such columns, (file, 'time', 'force') for "
     "columns or variables by name, or a function of t"
@@ -131,7 +135,10 @@ def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float =
     smooth: tables are cubic splines, otherwise polygons. ramp: time in which the quantity grows smoothly from zero.
     """
     if callable(given):
-        of_time = given
+
+        def of_time(t: Any) -> Any:
+            return _called(function, argument, given, t)
+
     elif isinstance(given, (int, float, np.number)) and not isinstance(given, bool) and np.isfinite(given):
         number = float(given)
 
@@ -140,6 +147,8 @@ def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float =
 
     else:
         rows = table_of(function, argument, given)
+        if smooth:
+            _warn_of_overshoot(argument, rows)
 
         def of_time(t: Any) -> Any:
             return laws.interpolate(t, rows[:, 0], rows[:, 1], smooth)
@@ -147,6 +156,35 @@ def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float =
     if ramp == 0:
         return of_time
     return lambda t: of_time(t) * (0.5 - 0.5 * np.cos(np.pi * laws.minimum(laws.maximum(t / ramp, 0.0), 1.0)))
+
+
+def _called(function: str, argument: str, given: Callable[[Any], Any], t: Any) -> Any:
+    """Return the value of a function of time; errors name its line, and the argument."""
+    where = f"MainSystem.{function}(...): argument '{argument}'"
+    try:
+        value = given(t)
+    except Exception as error:
+        line = f"{laws._line_of(given, error.__traceback__)}: " if hasattr(given, "__code__") else ""
+        raise laws._NotRecordedError(f"{where} cannot be recorded: {line}{laws._reason(error)}") from error
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number, _symbolic.Real)):
+        raise laws._NotRecordedError(f"{where}: expected a function of t that returns a number, received {value!r}")
+    return value
+
+
+def _warn_of_overshoot(argument: str, rows: FloatArray) -> None:
+    """Warn of a spline that goes far beyond the values of its table, as it does at corners between long parts."""
+    times, values = rows.T
+    fine = np.unique(np.concatenate([np.linspace(a, b, _SAMPLES) for a, b in pairwise(times)]))
+    curve = laws.interpolate(fine, times, values, True)
+    low, high = float(values.min()), float(values.max())
+    beyond = np.maximum(curve - high, low - curve)
+    if beyond.max() > _OVERSHOOT * (high - low) and high > low:
+        at = int(beyond.argmax())
+        text = (
+            f"{argument}: the spline through the table reaches {curve[at]:.4g} at t = {fine[at]:.4g} s, beyond its "
+            f"values from {low:.4g} to {high:.4g}. Add rows near corners, or use smooth=False for lines between rows"
+        )
+        warnings.warn(text, stacklevel=6)
 
 
 def rate(value: Any, t: Any) -> Any:
@@ -168,6 +206,8 @@ def recorded(function: str, argument: str, item: str, row: str, compute: Callabl
 def _run(function: str, argument: str, compute: Callable[[Any], Any], t: Any) -> Any:
     try:
         return compute(t)
+    except laws._NotRecordedError:
+        raise
     except TypeError as error:
         reason = laws._reason(error)
         raise TypeError(f"MainSystem.{function}(...): argument '{argument}' cannot be recorded: {reason}") from error

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from dalembert import itemInterface as items
 from dalembert import laws
-from dalembert._core import LoadIndex, MainSystem, ObjectIndex
+from dalembert._core import LoadIndex, MainSystem, MarkerIndex, ObjectIndex
 from dalembert.create._arguments import (
     FLAG,
     NO_PAIR,
@@ -25,7 +26,7 @@ from dalembert.create._arguments import (
     require_axis,
     vector,
 )
-from dalembert.create._frames import add_joint_markers, joint_place, require_axis_of_plane
+from dalembert.create._frames import add_joint_markers, joint_place, require_axis_of_joint, require_axis_of_plane
 from dalembert.create._signals import SIGNAL, Signal, rate, recorded, signal
 from dalembert.create.connectors import frame_with_z
 from dalembert.create.loads import _load_marker
@@ -74,7 +75,13 @@ class _Axis:
     ) -> None:
         require_axis(function, axis)
         place = joint_place(mbs, function, bodyNumbers, position, useGlobalFrame)
+        for i, number in enumerate(bodyNumbers):
+            if not isinstance(number, MarkerIndex) and mbs.GetObject(number)["objectType"].startswith("MassPoint"):
+                expected = "a rigid body, such as a sphere, because a mass point has no orientation"
+                raise argument_error(function, f"bodyNumbers[{i}]", expected, mbs.GetObject(number)["name"])
         require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
+        if is_rotation:
+            require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame))
         frames = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
         self.frames: dict[str, Any] = {"rotationMarker0": frames[0], "rotationMarker1": frames[1]}
         self._mbs, self._place, self._name = mbs, place, name
@@ -239,7 +246,15 @@ def CreateJointStops(
         raise argument_error(function, "lower", "a number, or one for upper", lower)
     if lower is not None and upper is not None and not lower < upper:
         raise argument_error(function, "lower", f"a number below upper={upper:g}", lower)
+    if stiffness <= 0:
+        raise argument_error(function, "stiffness", "a number greater than zero (Nm/rad or N/m)", stiffness)
     constants = {key: float(each) for key, each in (("lower", lower), ("upper", upper)) if each is not None}
+    if constants.get("lower", 0.0) > 0 or constants.get("upper", 0.0) < 0:
+        text = (
+            f"{function}: lower={lower}, upper={upper}: the reference configuration, where the "
+            f"{'angle' if kind == 'rotation' else 'displacement'} is 0, is beyond a stop, which pushes there"
+        )
+        warnings.warn(text, stacklevel=4)
     constants |= {"stiffness": float(stiffness)} | ({"damping": float(damping)} if damping else {})
 
     def force(way: Any, speed: Any, stiffness: Any, lower: Any = None, upper: Any = None, damping: Any = 0.0) -> Any:
@@ -319,6 +334,8 @@ def _force(
 ) -> Any:  # fmt: skip
     if not any(direction):
         raise argument_error(function, "direction", "a vector with 3 components that is not zero", direction)
+    if isinstance(table, (int, float)) and table == 0:
+        raise argument_error(function, "table", f"{SIGNAL}, which is not zero", table)
     along = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     value = signal(function, "table", table, smooth)
     name_of_item = item.__name__

@@ -223,7 +223,7 @@ def CreateFixedJoint(
 
     The default of position is that of the second body. Bodies in the xy plane get the three equations of the plane.
     """
-    if position is None:
+    if position is None or len(position) == 0:
         has_marker = any(isinstance(number, MarkerIndex) for number in bodyNumbers)
         require_items(mbs, "CreateFixedJoint", "bodyNumbers", [] if None in bodyNumbers else bodyNumbers)
         at_body = not has_marker and is_body(bodyNumbers[1])
@@ -413,7 +413,12 @@ CHECKS: dict[str, dict[str, Check]] = {
     "CreatePrismaticJoint": {"axis": vector(3)},
     "CreateSphericalJoint": {"constrainedAxes": flags(3)},
     "CreateGenericJoint": {"rotationMatrixAxes": rotation_matrix(), "constrainedAxes": flags(6)},
-    "CreateFixedJoint": {"position": vector(3).optional()},
+    "CreateFixedJoint": {
+        "position": Check(
+            lambda value: value is None or np.shape(value) == (0,) or vector(3).test(value),
+            "a vector with 3 finite components, or None",
+        )
+    },
     "CreateCylindricalJoint": {"axis": vector(3)},
     "CreateUniversalJoint": {"axis0": vector(3), "axis1": vector(3)},
     "CreateRollingDisc": {**_ROLLING_CHECKS, "constrainedAxes": flags(3)},

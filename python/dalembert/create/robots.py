@@ -25,6 +25,7 @@ CHECKS: dict[str, dict[str, Check]] = {
         "baseHT": refined(matrix(4), TRANSFORMATION, _transformation_problem).optional(),
         "gravity": vector(3).optional(),
         "graphics": FLAG,
+        "contacts": FLAG,
         "limitStiffness": NOT_NEGATIVE,
         "limitDamping": NOT_NEGATIVE,
     },
@@ -42,6 +43,7 @@ TEXTS = {
         "forceUserFunction": "function or controller for the forces in the joints, as that of the kinematic tree",
         "limitStiffness": "stiffness of stops at the limits of the joints (N/m, Nm/rad); 0 for none",
         "limitDamping": "damping of stops at the limits of the joints (Ns/m, Nms/rad)",
+        "contacts": "True: spheres, capsules, cylinders, boxes and planes of an MJCF file touch each other",
         "keyframe": "name of a keyframe of the file, which gives initial values and controls; empty: none",
     },
 }
@@ -61,13 +63,15 @@ def CreateRobot(
     limitStiffness: float = 0.0,
     limitDamping: float = 0.0,
     keyframe: str = "",
+    contacts: bool = False,
 ) -> dict[str, Any]:
     """Add the robot of a URDF or MJCF file; return a dict with robot, the Robot, and the items that were added.
 
     The default is a kinematic tree, and the dict also has the result of Robot.CreateKinematicTree. If baseMarker is
     given, the robot consists of rigid bodies and joints, and the dict has the result of
     Robot.CreateRedundantCoordinateMBS. Its entry links has the indices of links and joints by name. Springs, damping
-    and dry friction of the file are included.
+    and dry friction of the file are included, and contacts if they are wanted: their law is not that of MuJoCo, see
+    ReadRobot. Bodies that float freely should have a baseMarker, as trees have singular positions.
     """
     from dalembert.robotics.utilities import ReadRobot  # a system without robots does without
 
@@ -82,7 +86,7 @@ def CreateRobot(
             expected = "0 with a baseMarker, as it belongs to kinematic trees"
             raise argument_error("CreateRobot", wrong, expected, of_trees[wrong])
         baseMarker = index_of(mbs, "Marker", baseMarker, "MainSystem.CreateRobot(...): argument 'baseMarker'")
-    robot = ReadRobot(fileName, baseHT, gravity, packages, graphics)
+    robot = ReadRobot(fileName, baseHT, gravity, packages, graphics, contacts)
     if robot.NumberOfLinks() == 0:
         raise argument_error("CreateRobot", "fileName", "a robot with a joint that moves", fileName)
     if referenceConfiguration is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import Any
 
@@ -25,6 +26,8 @@ from dalembert.create._arguments import (
 from dalembert.create._arguments import color as color_check
 from dalembert.create._frames import reference_position, reference_rotation, require_items
 
+_SLANTED = 30.0  # degrees between a rope and the plane of its pulley; fleet angles of winches are 4 at most
+
 
 def _points(function: str, positions: Sequence[Vector], count: int) -> FloatArray:
     """Return the positions as a matrix with a row for each of the bodies; ValueError otherwise."""
@@ -44,6 +47,22 @@ def _require_tangents(function: str, points: FloatArray, radii: FloatArray, pair
         if np.linalg.norm(points[j] - points[i]) <= needed:
             expected = f"points {i} and {j} more than {needed:g} m apart, so that the rope runs from one to the other"
             raise argument_error(function, "positions", expected, points[[i, j]].tolist())
+
+
+def _warn_of_slanted_lines(function: str, points: FloatArray, radii: FloatArray, axis: Vector) -> None:
+    """Warn if a rope runs far out of the planes of its pulleys, as it does with an axis of another direction."""
+    unit = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
+    lines = np.diff(points, axis=0)
+    slant = np.degrees(np.arcsin(np.abs(lines @ unit) / np.linalg.norm(lines, axis=1)))
+    for i in range(1, len(points) - 1):
+        side = i - 1 if slant[i - 1] > slant[i] else i
+        if radii[i] != 0 and slant[side] > _SLANTED:
+            text = (
+                f"{function}: axis: the line from point {side} to point {side + 1} is inclined by {slant[side]:.0f} "
+                f"degrees to the plane of pulley {i}. The axis should be normal to the rope"
+            )
+            warnings.warn(text, stacklevel=4)
+            return
 
 
 def _distance(points: FloatArray, parameters: dict[str, Any]) -> float:
@@ -100,6 +119,7 @@ def CreateRope(
     require_items(mbs, function, "bodyNumbers", bodyNumbers)
     turns = np.array([0.0, *radii, 0.0])
     _require_tangents(function, points, turns, [(i, i + 1) for i in range(count - 1)])
+    _warn_of_slanted_lines(function, points, turns, axis)
     axes, local_axes = _axes(mbs, axis, turns, bodyNumbers)
     common = {"sheavesRadii": np.abs(turns), "stiffnessPerLength": stiffness}
     if length is None:

@@ -1,7 +1,8 @@
 """Robots from MJCF files, as MuJoCo uses them (https://mujoco.readthedocs.io/en/stable/XMLreference.html).
 
 Bodies, joints, geoms and sites become links, joints, shapes and frames; actuators, tendons, equality constraints and
-keyframes are added to the robot that these make. A warning lists ignored elements, such as muscles and contacts.
+keyframes are added to the robot that these make, and contacts if they are wanted. A warning lists ignored elements,
+such as muscles.
 """
 
 from __future__ import annotations
@@ -19,17 +20,18 @@ from dalembert._geometry.inertia import RigidBodyInertia
 from dalembert.robotics import _drawing, _mjcf_inertia, _shapes
 from dalembert.robotics._description import Body, Description, Joint, translated, turned
 from dalembert.robotics._mjcf_actuators import Actuators
+from dalembert.robotics._mjcf_attach import opened
 from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options, included, left_out, refuse_misspelt, repeated
-from dalembert.robotics._mjcf_equality import WORLD, Equality
+from dalembert.robotics._mjcf_contacts import Contacts
+from dalembert.robotics._mjcf_elements import JOINT_KINDS, WORLD, Content, Notes, Options, left_out
+from dalembert.robotics._mjcf_equality import Equality
 from dalembert.robotics._mjcf_keyframes import Keyframes
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
-from dalembert.robotics._xml import Element, read
+from dalembert.robotics._xml import Element
 
-_JOINTS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
 _SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 _UNSHAPED = ("plane", "hfield", "sdf")
-_NOT_READ = ("attach", "composite", "flexcomp", "plugin")
+_NOT_READ = ("composite", "flexcomp", "plugin")
 _SAME_VOLUME = 1e-6  # relative differences between ways to weigh meshes that do not count
 
 
@@ -59,15 +61,16 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
 class _Reader:
     """Goes through the bodies of a file."""
 
-    def __init__(self, compiler: Compiler, options: Options) -> None:
-        self.compiler, self.options = compiler, options
-        self.bodies: dict[str, Body] = {}
-        self.joints: list[Joint] = []
-        self.notes = Notes()
+    def __init__(self, content: Content, contacts: Contacts) -> None:
+        self.contacts = contacts
+        self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
+        self.bodies, self.joints = content.bodies, content.joints
 
     def _body(self, element: Element, name: str) -> Body:
         if name in self.bodies:
-            element.fail(f"there is a body '{name}' in line {self.bodies[name].where.line} already")
+            other = self.bodies[name].where
+            file = "" if other.file == element.file else f" of '{Path(other.file).name}'"
+            element.fail(f"there is a body '{name}' in line {other.line}{file} already")
         self.bodies[name] = Body(name, element)
         return self.bodies[name]
 
@@ -76,7 +79,7 @@ class _Reader:
         for child in element.children:
             if child.tag == "frame":
                 inner = child.text("childclass", child_class)
-                yield from self._parts(child, T @ self.compiler.place(child), inner)
+                yield from self._parts(child, T @ self.compiler.of(child).place(child), inner)
             else:
                 yield child, T, child_class
 
@@ -84,22 +87,23 @@ class _Reader:
         """Take over a body with its shapes, joints and the bodies on it."""
         body = self._body(element, name)
         weighed = RigidBodyInertia()
-        given = element.only("inertial")
+        given, from_shapes = element.only("inertial"), self.compiler.of(element).from_shapes
         for part, T, own_class in list(self._parts(element, np.eye(4), child_class)):
+            compiler = self.compiler.of(part)
             if part.tag == "geom":
-                geom = self.compiler.complete(part, own_class)
-                needs_inertia = name != WORLD and (given is None or self.compiler.from_shapes == "true")
+                geom = compiler.complete(part, own_class)
+                needs_inertia = name != WORLD and (given is None or from_shapes == "true")
                 weighed = weighed + self._geom(geom, T, body, needs_inertia)
             elif part.tag == "site":
-                site = self.compiler.complete(part, own_class)
-                body.frames[site.text("name", f"{name} site {len(body.frames)}")] = T @ _site(site, self.compiler)
+                site = compiler.complete(part, own_class)
+                body.frames[site.text("name", f"{name} site {len(body.frames)}")] = T @ _site(site, compiler)
             elif part.tag in _NOT_READ:
                 self.notes.add(f"<{part.tag}> in bodies", name)
             elif part.tag == "body":
                 self._carried(part, T, name, part.text("childclass", own_class))
-        if given is not None and self.compiler.from_shapes != "true":
-            body.inertia = _mjcf_inertia.of_element(given, self.compiler)
-        elif self.compiler.from_shapes != "false":
+        if given is not None and from_shapes != "true":
+            body.inertia = _mjcf_inertia.of_element(given, self.compiler.of(given))
+        elif from_shapes != "false":
             body.inertia = weighed
 
     def rename_sites(self) -> None:
@@ -111,20 +115,20 @@ class _Reader:
 
     def _geom(self, geom: Element, T: FloatArray, body: Body, needs_inertia: bool) -> RigidBodyInertia:
         """Draw a geom, and return its inertia if it counts."""
+        compiler = self.compiler.of(geom)
         kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
-        touches = any(geom.number(name, "1") for name in ("contype", "conaffinity"))
-        if body.name == WORLD and touches and "contact" not in self.options.off:
-            self.notes.add("contact with geoms of the world", geom.text("name", kind))
-        needs_inertia = needs_inertia and int(geom.number("group", "0")) in self.compiler.weighed_groups
+        needs_inertia = needs_inertia and int(geom.number("group", "0")) in compiler.weighed_groups
         if needs_inertia and kind == "sdf":
             self.notes.add("mass of geoms of type sdf of bodies", body.name)
-        if not self.compiler.shapes and (kind == "mesh") and not needs_inertia:
-            return RigidBodyInertia()
-        shape, place = _shape(geom, self.compiler)
+        if kind == "mesh" and not (compiler.shapes or needs_inertia):
+            shape, place = None, np.eye(4)
+        else:
+            shape, place = _shape(geom, compiler)
+        self.contacts.take(geom, body.name, shape, T @ place)
         if shape is None:
             return RigidBodyInertia()
-        if self.compiler.shapes:
-            material = self.compiler.materials.get(geom.text("material", ""))
+        if compiler.shapes:
+            material = compiler.materials.get(geom.text("material", ""))
             color = material.text("rgba", "1 1 1 1") if material is not None else "0.5 0.5 0.5 1"
             body.drawn += _drawing.moved(_shapes.drawn(shape, geom.numbers("rgba", 4, color).tolist()), T @ place)
         if not needs_inertia:
@@ -138,7 +142,8 @@ class _Reader:
     def _other_volume(self, geom: Element, shape: _shapes.Shape) -> str:
         """Return how MuJoCo weighs a mesh if that makes a difference."""
         assert shape.corners is not None
-        asset = self.compiler.complete(self.compiler.meshes[geom.text("mesh")], "main")
+        compiler = self.compiler.of(geom)
+        asset = compiler.complete(compiler.meshes[geom.text("mesh")], "main")
         way = asset.text("inertia", "legacy")
         if way == "legacy" and "mass" not in geom.attributes:
             exact, legacy = _shapes.volumes(shape.corners)
@@ -148,7 +153,7 @@ class _Reader:
     def _carried(self, element: Element, T: FloatArray, parent: str, child_class: str) -> None:
         """Add the joints between a body and its parent, with a body without mass between two of them."""
         name = element.text("name", f"body{len(self.bodies)}")
-        place = T @ self.compiler.place(element)
+        place = T @ self.compiler.of(element).place(element)
         if element.text("mocap", "false") == "true":
             self.notes.add("mocap of bodies", name)
         joints = [
@@ -175,11 +180,12 @@ class _Reader:
             if element.text("align", "auto") == "true":
                 self.notes.add("align of free joints", element.text("name", ""))
             return Joint(element.text("name", ""), "floating", "", "", np.eye(4), element)
-        element = self.compiler.complete(element, child_class)
+        compiler = self.compiler.of(element)
+        element = compiler.complete(element, child_class)
         kind = element.text("type", "hinge")
-        if kind not in _JOINTS:
-            element.fail(f"type: expected one of {', '.join(_JOINTS)}, received '{kind}'")
-        joint = Joint(element.text("name", ""), _JOINTS[kind], "", "", np.eye(4), element)
+        if kind not in JOINT_KINDS:
+            element.fail(f"type: expected one of {', '.join(JOINT_KINDS)}, received '{kind}'")
+        joint = Joint(element.text("name", ""), JOINT_KINDS[kind], "", "", np.eye(4), element)
         place = (frame @ np.append(element.numbers("pos", 3, "0 0 0"), 1))[:3]
         if kind in ("ball", "free"):
             joint.place = place if kind == "ball" else np.zeros(3)
@@ -187,9 +193,9 @@ class _Reader:
             joint.values = {"damping": damping, "rotorInertia": element.amount("armature", "0")}
             self._note_of_several(element, joint)
             return joint
-        turns = self.compiler.angle if kind == "hinge" else float
+        turns = compiler.angle if kind == "hinge" else float
         axis = element.numbers("axis", 3, "0 0 1")
-        joint.axis = frame[:3, :3] @ axis / self.compiler.length(element, "axis", axis)
+        joint.axis = frame[:3, :3] @ axis / compiler.length(element, "axis", axis)
         joint.place = place
         joint.reference = float(turns(element.number("ref", "0")))
         joint.values = self._resistance(element, joint, turns)
@@ -199,7 +205,7 @@ class _Reader:
                 element.fail(f"range: expected two numbers that grow, received {lower:g} and {upper:g}")
             joint.values["jointLimits"] = [float(turns(lower)), float(turns(upper))]
         limited = element.text("actuatorfrclimited", "auto")
-        given = self.compiler.autolimits and "actuatorfrcrange" in element.attributes
+        given = compiler.autolimits and "actuatorfrcrange" in element.attributes
         if limited == "true" or (limited == "auto" and given):
             lower, upper = element.numbers("actuatorfrcrange", 2)
             joint.force_range = float(lower), float(upper)
@@ -233,7 +239,9 @@ class _Reader:
 
     def _is_limited(self, element: Element) -> bool:
         limited = element.text("limited", "auto")
-        return limited == "true" or (limited == "auto" and self.compiler.autolimits and "range" in element.attributes)
+        return limited == "true" or (
+            limited == "auto" and self.compiler.of(element).autolimits and "range" in element.attributes
+        )
 
     def _note_of_several(self, element: Element, joint: Joint) -> None:
         """Record differences of ball and free joints, whose coordinates are angles here."""
@@ -258,31 +266,27 @@ def _site(site: Element, compiler: Compiler) -> FloatArray:
     return translated(0.5 * (start + end)) @ turned(compiler.from_z(start - end, site))
 
 
-def read_mjcf(fileName: str | Path, shapes: bool = True) -> Description:
+def read_mjcf(fileName: str | Path, shapes: bool = True, contacts: bool = False) -> Description:
     """Return the description in an MJCF file; errors are raised as ValueError with file and line."""
-    folder = Path(fileName).resolve().parent
-    root = read(fileName)
-    if root.tag != "mujoco":
-        root.fail("expected <mujoco> as the first element of an MJCF file")
-    root = included(root, folder)
-    refuse_misspelt(root)
-    compiler = Compiler(root, folder, shapes)
-    root = repeated(root, compiler)
-    options = Options(root)
-    reader = _Reader(compiler, options)
+    notes = Notes()
+    root, compiler = opened(fileName, shapes, notes)
+    content = Content(root, compiler, Options(root), notes)
+    touching = Contacts(content, contacts)
+    reader = _Reader(content, touching)
     worlds = list(root.every("worldbody"))
     world = replace(root, tag="worldbody", children=[child for element in worlds for child in element.children])
     reader.bodies_of(world, WORLD, world.text("childclass", "main"))
-    if len(reader.bodies) == 1:
+    if len(content.bodies) == 1:
         root.fail("expected an element <body> in <worldbody>")
-    _mjcf_inertia.finish([body for name, body in reader.bodies.items() if name != WORLD], compiler)
+    _mjcf_inertia.finish([body for name, body in content.bodies.items() if name != WORLD], compiler)
     reader.rename_sites()
-    tendons = Tendons(root, compiler, options, reader.notes, reader.joints, reader.bodies)
-    actuators = Actuators(root, compiler, options, reader.notes, reader.joints, tendons)
-    equality = Equality(root, compiler, options, reader.notes, reader.joints, reader.bodies, tendons)
-    keyframes = Keyframes(root, reader.notes, reader.joints, actuators)
-    left = left_out(root) + reader.notes.texts()
+    tendons = Tendons(content)
+    actuators = Actuators(content, tendons)
+    equality, keyframes = Equality(content, tendons), Keyframes(content, actuators)
+    touching.finish()
+    left = left_out(root, contacts) + content.notes.texts()
     if left:
         warnings.warn(f"{fileName}: ignored elements: {', '.join(left)}", stacklevel=3)
-    later = [tendons.complete, actuators.complete, equality.complete, keyframes.complete]
-    return Description(root.text("model", ""), reader.bodies, reader.joints, WORLD, options.gravity, [*later])
+    later = [each.complete for each in (tendons, actuators, equality, keyframes, touching)]
+    name, gravity = root.text("model", ""), content.options.gravity
+    return Description(name, content.bodies, content.joints, WORLD, gravity, [*later])

@@ -8,9 +8,7 @@ from typing import Any
 import numpy as np
 
 from dalembert.robotics._actuators import RobotActuator
-from dalembert.robotics._description import Joint
-from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options, limited_range
+from dalembert.robotics._mjcf_elements import Content, limited_range
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of
@@ -108,39 +106,32 @@ def _wrench(element: Element) -> list[float]:
 class Actuators:
     """The actuators of a file; complete() adds them to the robot."""
 
-    def __init__(
-        self,
-        root: Element,
-        compiler: Compiler,
-        options: Options,
-        notes: Notes,
-        joints: list[Joint],
-        tendons: Tendons,
-    ) -> None:
-        self.compiler, self.options, self.notes, self.tendons = compiler, options, notes, tendons
-        self.joints = {joint.name: joint for joint in joints if joint.name}
-        self.names: list[str] = []
+    def __init__(self, content: Content, tendons: Tendons) -> None:
+        self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
+        self.joints, self.tendons = content.named_joints, tendons
+        self.models: dict[str, int] = {}  # numbers of the models that actuators belong to, by their names
         self.with_activation: list[str] = []
         self.unknown_activations: list[str] = []  # actuators with a number of activations that is not known here
         self.read: list[tuple[RobotActuator, _Law]] = []
-        for element in (child for group in root.every("actuator") for child in group.children):
+        for element in content.elements_of("actuator"):
             self._take(element)
         targets = [actuator.joint for actuator, _ in self.read if actuator.joint]
         acted = [joint for target in targets for joint in tendons.factors.get(target, [target])]
         self.several = {target for target in targets if targets.count(target) > 1 or acted.count(target) > 1}
         for joint in dict.fromkeys(acted):
             if self.joints[joint].force_range is not None and (joint in self.several or joint not in targets):
-                notes.add("actuatorfrcrange of joints with several actuators, or with those of tendons:", joint)
+                self.notes.add("actuatorfrcrange of joints with several actuators, or with those of tendons:", joint)
         for tendon in dict.fromkeys(targets):
             if tendon in self.several and tendon in tendons.factors and self._range_of_tendon(tendon) is not None:
-                notes.add("actuatorfrcrange of tendons with several actuators:", tendon)
+                self.notes.add("actuatorfrcrange of tendons with several actuators:", tendon)
 
     def _take(self, element: Element) -> None:
         name = element.text("name", element.text("joint", element.text("tendon", "")))
-        if not name or name in self.names:
-            name = f"actuator {len(self.names)}"
-        self.names.append(name)
-        defaults = self.compiler.actuator_defaults[self.compiler.class_of(element, "main")]
+        if not name or name in self.models:
+            name = f"actuator {len(self.models)}"
+        self.models[name] = element.model
+        compiler = self.compiler.of(element)
+        defaults = compiler.actuator_defaults[compiler.class_of(element, "main")]
         law, common = _Law(), dict[str, str]()
         for each in (*defaults, element):
             law = _next(each, law)

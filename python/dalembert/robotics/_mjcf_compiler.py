@@ -42,9 +42,17 @@ def root_numbers(root: Element, settings: dict[str, str], name: str, size: int, 
 
 
 class Compiler:
-    """Settings of a file that hold for all elements: units, defaults of classes, assets."""
+    """Settings of a file that hold for all elements: units, defaults of classes, assets.
 
-    def __init__(self, root: Element, folder: Path, shapes: bool) -> None:
+    models has the settings of the file and of all models that are attached to it, by their numbers. Models that are
+    attached to this one have the numbers after its own, up to end.
+    """
+
+    def __init__(self, root: Element, folder: Path, shapes: bool, models: list[Compiler] | None = None) -> None:
+        self.models = [] if models is None else models
+        self.number = len(self.models)
+        self.end = self.number + 1
+        self.models.append(self)
         settings: dict[str, str] = {}
         for element in root.every("compiler"):
             settings |= element.attributes
@@ -72,6 +80,10 @@ class Compiler:
         assets = [asset for group in root.every("asset") for asset in group.children]
         self.materials = {asset.text("name"): asset for asset in assets if asset.tag == "material"}
         self.meshes = {self._asset_name(asset): asset for asset in assets if asset.tag == "mesh"}
+
+    def of(self, element: Element) -> Compiler:
+        """Return the settings of the model that an element belongs to."""
+        return self.models[element.model]
 
     @staticmethod
     def _asset_name(asset: Element) -> str:

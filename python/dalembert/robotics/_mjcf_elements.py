@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from dalembert._checks import FloatArray
+from dalembert.robotics._description import Body, Joint
 from dalembert.robotics._mjcf_compiler import Compiler
 from dalembert.robotics._xml import Element, read
 
+WORLD = "world"
+# Kinds of joints by their types in MJCF, and their numbers of positions and rates.
+JOINT_KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "ball", "free": "floating"}
+POSITIONS = {"revolute": 1, "prismatic": 1, "ball": 4, "floating": 7}
+RATES = {"revolute": 1, "prismatic": 1, "ball": 3, "floating": 6}
 _ROTATIONS = "pos quat axisangle euler xyaxes zaxis"
 _BODY_PARTS = (
     "inertial joint freejoint geom attach site camera light plugin composite flexcomp body frame replicate include"
@@ -28,6 +34,7 @@ _KNOWN = {
     "worldbody": ("name childclass", _BODY_PARTS),
     "body": (f"name childclass mocap gravcomp sleep user {_ROTATIONS}", _BODY_PARTS),
     "frame": (f"name childclass {_ROTATIONS}", _BODY_PARTS),
+    "attach": ("model body prefix", ""),
     "inertial": (f"mass diaginertia fullinertia {_ROTATIONS}", ""),
     "freejoint": ("name group align", ""),
     "joint": (
@@ -71,7 +78,7 @@ def included(element: Element, folder: Path) -> Element:
 def limited_range(element: Element, compiler: Compiler, name: str, limited: str) -> tuple[float, float] | None:
     """Return two numbers of an attribute; None unless another attribute, or its presence, says that they limit."""
     given = element.text(limited, "auto")
-    if given == "false" or (given == "auto" and not (compiler.autolimits and name in element.attributes)):
+    if given == "false" or (given == "auto" and not (compiler.of(element).autolimits and name in element.attributes)):
         return None
     lower, upper = element.numbers(name, 2)
     if lower > upper:
@@ -115,6 +122,23 @@ def repeated(element: Element, compiler: Compiler) -> Element:
     return replace(element, children=children)
 
 
+def numbers_of(
+    element: Element, name: str, sizes: Sequence[int], models: Sequence[int], compiler: Compiler
+) -> list[FloatArray | None]:
+    """Return the parts of an attribute that has `size` numbers for each thing of a model and of those attached to it.
+
+    Parts of things of other models are None.
+    """
+    own = compiler.of(element)
+    held = [own.number <= model < own.end for model in models]
+    count = sum(size for size, holds in zip(sizes, held, strict=True) if holds)
+    values, parts = element.numbers(name, count), list[FloatArray | None]()
+    for size, holds in zip(sizes, held, strict=True):
+        parts.append(values[:size] if holds else None)
+        values = values[size:] if holds else values
+    return parts
+
+
 class Notes:
     """Ignored parts of elements, with the names of the elements."""
 
@@ -144,9 +168,37 @@ class Options:
         off = {name for name, value in flags.items() if value == "disable"}
         if "constraint" in off:
             off |= {"limit", "frictionloss", "equality", "contact"}
+        unusual = {("filterparent", "disable"), ("override", "enable")}
+        self.contact_flags = [name for name, value in flags.items() if (name, value) in unusual]
         self.groups_off = {int(group) for group in groups.split()}
         self.off, self.gravity = off, gravity * ("gravity" not in off)
         self.passive = not off >= {"spring", "damper"}  # MuJoCo then leaves out all passive forces, gravcomp as well
+
+
+@dataclass
+class Content:
+    """The elements of a file with its settings, and the bodies and joints that are made of them."""
+
+    root: Element
+    compiler: Compiler
+    options: Options
+    notes: Notes = field(default_factory=Notes)
+    bodies: dict[str, Body] = field(default_factory=dict)
+    joints: list[Joint] = field(default_factory=list)
+
+    @property
+    def named_joints(self) -> dict[str, Joint]:
+        """Return the joints with a name."""
+        return {joint.name: joint for joint in self.joints if joint.name}
+
+    @property
+    def sites(self) -> list[str]:
+        """Return the names of the frames of sites."""
+        return [frame for body in self.bodies.values() for frame in body.frames]
+
+    def elements_of(self, section: str) -> Iterator[Element]:
+        """Give the elements of all sections of a kind."""
+        return (child for group in self.root.every(section) for child in group.children)
 
 
 # Unsupported elements, in the order of the warning, and settings of <option>.
@@ -154,9 +206,10 @@ _ELEMENTS = ("contact", "deformable", "extension")
 _MEDIUM = ("density", "viscosity", "wind")
 
 
-def left_out(root: Element) -> list[str]:
-    """Return the unsupported data of a file, in elements outside of the bodies."""
-    found = [f"<{tag}>" for tag in _ELEMENTS if any(e.children for e in root.every(tag))]
+def left_out(root: Element, contacts: bool = False) -> list[str]:
+    """Return the unsupported data of a file, in elements outside of the bodies; without contacts if these are read."""
+    tags = [tag for tag in _ELEMENTS if not (contacts and tag == "contact")]
+    found = [f"<{tag}>" for tag in tags if any(e.children for e in root.every(tag))]
     for option in root.every("option"):
         found += [f"{name} of <option>" for name in _MEDIUM if option.numbers(name, (1, 3), "0").any()]
     if any(compiler.text("alignfree", "false") == "true" for compiler in root.every("compiler")):

@@ -11,16 +11,14 @@ from dalembert._checks import FloatArray
 from dalembert._geometry.rotations import EulerParameters2RotationMatrix
 from dalembert._geometry.transformations import InverseHT
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
-from dalembert.robotics._description import Body, Joint, translated, turned
-from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options
+from dalembert.robotics._description import translated, turned
+from dalembert.robotics._mjcf_elements import WORLD, Content
 from dalembert.robotics._mjcf_tendons import Tendons, site_frame
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import factors_of
 from dalembert.robotics._xml import Element
 
 _READ = ("connect", "weld", "joint", "tendon")
-WORLD = "world"
 
 
 class Equality:
@@ -29,28 +27,18 @@ class Equality:
     Points and poses that are not given are those of the reference configuration.
     """
 
-    def __init__(
-        self,
-        root: Element,
-        compiler: Compiler,
-        options: Options,
-        notes: Notes,
-        joints: list[Joint],
-        bodies: dict[str, Body],
-        tendons: Tendons,
-    ) -> None:
-        self.compiler, self.notes, self.tendons = compiler, notes, tendons
-        self.joints = {joint.name: joint for joint in joints if joint.name}
-        self.bodies = bodies
-        self.sites = [frame for body in bodies.values() for frame in body.frames]
+    def __init__(self, content: Content, tendons: Tendons) -> None:
+        self.compiler, self.notes, self.tendons = content.compiler, content.notes, tendons
+        self.joints, self.bodies, self.sites = content.named_joints, content.bodies, content.sites
         self.elements: list[tuple[str, Element]] = []
-        if "equality" in options.off:
+        if "equality" in content.options.off:
             return
-        for element in (child for group in root.every("equality") for child in group.children):
+        for element in content.elements_of("equality"):
             self._take(element)
 
     def _take(self, element: Element) -> None:
-        defaults = self.compiler.classes[self.compiler.class_of(element, "main")].get("equality", {})
+        compiler = self.compiler.of(element)
+        defaults = compiler.classes[compiler.class_of(element, "main")].get("equality", {})
         element = replace(element, attributes=defaults | element.attributes)
         ends = [element.text(key) for key in _ends(element) if key in element.attributes]
         name = element.text("name", "-".join([element.tag, *ends]))

@@ -49,9 +49,10 @@ def _balanced(tensor: FloatArray) -> FloatArray:
 
 def finish(bodies: list[Body], compiler: Compiler) -> None:
     """Apply least masses and moments, and the total mass, to all bodies."""
-    if compiler.least_mass > 0 or compiler.least_inertia > 0:
-        for body in bodies:
-            body.inertia = _at_least(body.inertia or RigidBodyInertia(), compiler)
+    for body in bodies:
+        own = compiler.of(body.where)
+        if own.least_mass > 0 or own.least_inertia > 0:
+            body.inertia = _at_least(body.inertia or RigidBodyInertia(), own)
     total = sum(body.inertia.Mass() for body in bodies if body.inertia is not None)
     if compiler.total_mass > 0 and total > 0:
         factor = compiler.total_mass / total

@@ -14,13 +14,10 @@ from dalembert._geometry.rotations import (
 )
 from dalembert.robotics._description import Joint
 from dalembert.robotics._mjcf_actuators import Actuators
-from dalembert.robotics._mjcf_elements import Notes
+from dalembert.robotics._mjcf_elements import POSITIONS, RATES, Content, numbers_of
 from dalembert.robotics._parts import RobotKeyframe
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._xml import Element
-
-_POSITIONS = {"revolute": 1, "prismatic": 1, "ball": 4, "floating": 7}
-_RATES = {"revolute": 1, "prismatic": 1, "ball": 3, "floating": 6}
 
 
 def _angles(quaternion: FloatArray, A0: FloatArray) -> FloatArray:
@@ -54,12 +51,12 @@ def _state(joint: Joint, qpos: FloatArray, qvel: FloatArray) -> tuple[FloatArray
 class Keyframes:
     """The keyframes of a file; complete() adds them to the robot. Missing positions are those of the reference."""
 
-    def __init__(self, root: Element, notes: Notes, joints: list[Joint], actuators: Actuators) -> None:
-        self.joints = [joint for joint in joints if joint.kind in _POSITIONS]
-        self.actuators = actuators
-        self.elements = [child for group in root.every("keyframe") for child in group.every("key")]
+    def __init__(self, content: Content, actuators: Actuators) -> None:
+        self.joints = [joint for joint in content.joints if joint.kind in POSITIONS]
+        self.actuators, self.compiler = actuators, content.compiler
+        self.elements = [element for element in content.elements_of("keyframe") if element.tag == "key"]
         if any("act" in element.attributes for element in self.elements) and actuators.unknown_activations:
-            notes.add("act of keyframes with actuators", ", ".join(actuators.unknown_activations))
+            content.notes.add("act of keyframes with actuators", ", ".join(actuators.unknown_activations))
 
     def complete(self, robot: Robot) -> None:
         """Add the keyframes."""
@@ -67,8 +64,8 @@ class Keyframes:
             name = element.text("name", f"key {i}")
             q, q_t = self._coordinates(element, robot.referenceConfiguration)
             known = self.actuators
-            controls = _by_name(element, "ctrl", known.names)
-            activations = {} if known.unknown_activations else _by_name(element, "act", known.with_activation)
+            controls = self._by_name(element, "ctrl", list(known.models))
+            activations = {} if known.unknown_activations else self._by_name(element, "act", known.with_activation)
             controls, activations = (
                 {key: value for key, value in values.items() if key in robot.actuators}
                 for values in (controls, activations)
@@ -77,15 +74,30 @@ class Keyframes:
             robot.keyframes[name] = RobotKeyframe(name, q, q_t, controls, activations, time)
 
     def _coordinates(self, element: Element, reference: FloatArray) -> tuple[FloatArray, FloatArray]:
-        counts = np.array([(_POSITIONS[joint.kind], _RATES[joint.kind]) for joint in self.joints]).reshape(-1, 2)
-        sizes, ends = counts.sum(axis=0), np.cumsum(counts, axis=0)
-        rest = " ".join(repr(float(each)) for joint in self.joints for each in _rest(joint))
-        qpos = element.numbers("qpos", int(sizes[0]), rest)
-        qvel = element.numbers("qvel", int(sizes[1]), " ".join("0" * int(sizes[1])))
-        parts = zip(self.joints, np.split(qpos, ends[:-1, 0]), np.split(qvel, ends[:-1, 1]), strict=True)
-        states = [_state(*part) for part in parts]
+        rates = [np.zeros(RATES[joint.kind]) for joint in self.joints]
+        q_parts = self._of_joints(element, "qpos", POSITIONS, [_rest(joint) for joint in self.joints])
+        v_parts = self._of_joints(element, "qvel", RATES, rates)
+        states = [_state(*part) for part in zip(self.joints, q_parts, v_parts, strict=True)]
         q, q_t = (np.concatenate([state[k] for state in states]) for k in (0, 1))
         return (q if "qpos" in element.attributes else reference.copy()), q_t
+
+    def _of_joints(
+        self, element: Element, attribute: str, counts: dict[str, int], rest: list[FloatArray]
+    ) -> list[FloatArray]:
+        """Return the numbers of each joint, or those in rest for joints without any."""
+        if attribute not in element.attributes:
+            return rest
+        sizes, models = [counts[joint.kind] for joint in self.joints], [joint.where.model for joint in self.joints]
+        parts = numbers_of(element, attribute, sizes, models, self.compiler)
+        return [own if part is None else part for part, own in zip(parts, rest, strict=True)]
+
+    def _by_name(self, element: Element, attribute: str, names: list[str]) -> dict[str, float]:
+        """Return numbers by the names of actuators; none if they are not given."""
+        if attribute not in element.attributes:
+            return {}
+        models = [self.actuators.models[name] for name in names]
+        parts = numbers_of(element, attribute, [1] * len(names), models, self.compiler)
+        return {name: float(part[0]) for name, part in zip(names, parts, strict=True) if part is not None}
 
 
 def _rest(joint: Joint) -> FloatArray:
@@ -95,10 +107,3 @@ def _rest(joint: Joint) -> FloatArray:
     if joint.kind == "floating":
         return np.concatenate([joint.T[:3, 3], RotationMatrix2EulerParameters(joint.T[:3, :3])])
     return np.full(1, joint.reference)
-
-
-def _by_name(element: Element, attribute: str, names: list[str]) -> dict[str, float]:
-    """Return numbers by the names of what they belong to; none if they are not given."""
-    if attribute not in element.attributes:
-        return {}
-    return dict(zip(names, element.numbers(attribute, len(names)).tolist(), strict=True))

@@ -8,9 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from dalembert.robotics._description import Body, Joint
-from dalembert.robotics._mjcf_compiler import Compiler
-from dalembert.robotics._mjcf_elements import Notes, Options, limited_range
+from dalembert.robotics._mjcf_elements import Content, limited_range
 from dalembert.robotics._robot import Robot
 from dalembert.robotics._tendons import RobotCable, RobotTendon
 from dalembert.robotics._xml import Element
@@ -24,27 +22,18 @@ def site_frame(site: str, bodies: Container[str]) -> str:
 class Tendons:
     """The tendons of a file; complete() adds them to the robot."""
 
-    def __init__(
-        self,
-        root: Element,
-        compiler: Compiler,
-        options: Options,
-        notes: Notes,
-        joints: list[Joint],
-        bodies: dict[str, Body],
-    ) -> None:
-        self.compiler, self.options, self.notes = compiler, options, notes
-        self.joints = {joint.name for joint in joints if joint.name}
-        self.bodies = bodies
-        self.sites = [frame for body in bodies.values() for frame in body.frames]
+    def __init__(self, content: Content) -> None:
+        self.compiler, self.options, self.notes = content.compiler, content.options, content.notes
+        self.joints, self.bodies, self.sites = content.named_joints, content.bodies, content.sites
         self.elements: dict[str, Element] = {}
         self.ends: dict[str, tuple[str, str]] = {}  # of spatial tendons
         self.factors: dict[str, dict[str, float]] = {}
-        for element in (child for group in root.every("tendon") for child in group.children):
+        for element in content.elements_of("tendon"):
             self._take(element)
 
     def _take(self, element: Element) -> None:
-        defaults = self.compiler.classes[self.compiler.class_of(element, "main")].get("tendon", {})
+        compiler = self.compiler.of(element)
+        defaults = compiler.classes[compiler.class_of(element, "main")].get("tendon", {})
         element = replace(element, attributes=defaults | element.attributes)
         name = element.text("name", f"tendon {len(self.elements)}")
         if element.tag == "spatial":

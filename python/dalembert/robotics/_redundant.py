@@ -17,7 +17,7 @@ from dalembert._geometry.transformations import InverseHT
 from dalembert._solving.quiet import require_system
 from dalembert._tools.found_items import index_of
 from dalembert.create._frames import reference_rotation
-from dalembert.robotics import _actuators, _constraints, _drawing, _kinematics, _tendons
+from dalembert.robotics import _actuators, _constraints, _contacts, _drawing, _kinematics, _tendons
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
 from dalembert.robotics._parts import JOINT_AXES, REGULAR_VELOCITY, GraphicsList, RobotLink, is_revolute
 from dalembert.robotics._tendons import AddMarker, place_of
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 # Turns the third axis, about which torsional springs turn, to the axis of a joint; and the third cyclically.
 _FROM_Z = {"x": np.eye(3)[:, [1, 2, 0]], "y": np.eye(3)[:, [2, 0, 1]], "z": np.eye(3)}
+
+
+_FLOATING = ["Px", "Py", "Pz", "Rz", "Ry", "Rx"]  # joints of one coordinate that make a floating joint
 
 
 class Options(NamedTuple):
@@ -66,6 +69,36 @@ def _graphics(robot: Robot, i: int) -> GraphicsList:
     return parts + _drawing.tool(robot, i)
 
 
+def _floating(robot: Robot, options: Options) -> dict[int, range]:
+    """Return the links that float freely, with all links of their joint; the links between these have no mass.
+
+    Nothing acts on their coordinates, so that they need no joint.
+    """
+    listed = max(len(options.springUserFunctions), len(options.loadUserFunctions))
+    driven = {actuator.joint for actuator in robot.actuators.values()} - {""}
+    parents = [robot.GetParentIndex(i) for i in range(len(robot.links))]
+    found = {}
+    for i in range(5, len(robot.links)):
+        chain = range(i - 5, i + 1)
+        links = [robot.links[j] for j in chain]
+        acting = any(
+            link.damping or link.friction or link.stiffness or link.rotorInertia or link.follows or link.HasPDcontrol()
+            for link in links
+        )
+        inner = [j for j, parent in enumerate(parents) if parent in chain[:-1]]
+        if (
+            [link.jointType for link in links] == _FLOATING
+            and parents[chain[0]] == -1
+            and inner == list(chain[1:])
+            and not any(link.mass for link in links[:-1])
+            and not acting
+            and not driven.intersection(link.jointName for link in links)
+            and listed <= chain[0]
+        ):
+            found[i] = chain
+    return found
+
+
 def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
     """Raise a ValueError for unsupported robots, before anything is added."""
     where = "Robot.CreateRedundantCoordinateMBS"
@@ -73,7 +106,10 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
     if len(options.springUserFunctions) > len(robot.links):
         expected = f"at most {len(robot.links)} entries"
         raise shape_error(f"{where}: jointSpringDamperUserFunctionList", expected, options.springUserFunctions)
+    floating = {i for chain in _floating(robot, options).values() for i in chain}
     for i, link in enumerate(robot.links):
+        if i in floating:
+            continue
         reasons = {
             "no mass": link.mass == 0,
             "the inertia of a rotor": link.rotorInertia,
@@ -97,7 +133,9 @@ def _check(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> None:
                 f"{where}: actuator '{actuator.name}' has dynamics, which need the coordinate of a joint that "
                 "turns; use CreateKinematicTree"
             )
-    beside = any(not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links))
+    beside = any(
+        not robot.HasParent(i) and np.any(link.preHT[:3, 3]) for i, link in enumerate(robot.links) if i not in floating
+    )
     kind = mbs.GetMarker(baseMarker)["markerType"]
     loops = [each for each in robot.constraints.values() if isinstance(each, RobotLoop)]
     ends = {name for loop in loops for name in (loop.frame0, loop.frame1)}
@@ -231,7 +269,7 @@ def _add_connector(mbs: Any, link: RobotLink, q: float, ends: Ends, law: Any, **
     )
 
 
-def _add_actuators(robot: Robot, mbs: Any, ends_of: list[Ends], marker: AddMarker) -> dict[str, Any]:
+def _add_actuators(robot: Robot, mbs: Any, ends_of: dict[int, Ends], marker: AddMarker) -> dict[str, Any]:
     """Add the actuators between the markers of their joints, or on frames."""
     objects: dict[str, Any] = {}
     for name, actuator in robot.actuators.items():
@@ -274,11 +312,18 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
     q = robot.referenceConfiguration
     at_base = _base_rotation(robot, mbs, baseMarker, options.rotationMarkerBase)
     placed: list[FloatArray] = []
-    ends_of: list[Ends] = []
+    ends_of: dict[int, Ends] = {}
+    floating = _floating(robot, options)
+    inner = {j for chain in floating.values() for j in chain[:-1]}  # without bodies
     for i, link in enumerate(robot.links):
         parent = robot.GetParentIndex(i)
         before = robot.base.HT if parent < 0 else placed[parent]
         placed.append(before @ link.preHT @ _kinematics.joint_transformation(link.jointType, q[i]) @ link.localHT)
+        if i in inner or i in floating:
+            made = {} if i in inner else _add_body(robot, mbs, i, placed[i], options)
+            for name, entries in result.items():
+                entries.append(made.get({"nodeList": "nodeNumber", "bodyList": "bodyNumber"}.get(name, "")))
+            continue
         body = _add_body(robot, mbs, i, placed[i], options)
         back = InverseHT(link.localHT)
         marker1 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=body["bodyNumber"], localPosition=back[:3, 3]))
@@ -288,7 +333,7 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
             carrier, turned = result["bodyList"][parent], link.preHT[:3, :3]
             marker0 = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=carrier, localPosition=link.preHT[:3, 3]))
         ends = Ends([marker0, marker1], (turned, back[:3, :3]))
-        ends_of.append(ends)
+        ends_of[i] = ends
         joint = _add_joint(robot, mbs, link, ends, options)
         units = [-turned @ JOINT_AXES[link.jointType], back[:3, :3] @ JOINT_AXES[link.jointType]]
         loads = _add_loads(mbs, link, i, ends, units, options)
@@ -312,6 +357,7 @@ def create(robot: Robot, mbs: Any, baseMarker: Any, options: Options) -> dict[st
         "links": robot.LinkNumbers(),
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker),
+        "contacts": _contacts.add(robot, mbs, marker),
         "tendons": _tendons.add_cables(robot, mbs, marker, (0.0, 0.0)),
         **_add_actuators(robot, mbs, ends_of, marker),
     }

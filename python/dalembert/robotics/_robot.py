@@ -20,6 +20,7 @@ from dalembert.kinematicTree import Inertia2T66, KinematicTree66
 from dalembert.robotics import _drawing, _forces, _redundant, _tree
 from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
+from dalembert.robotics._contacts import RobotContact
 from dalembert.robotics._denavit_hartenberg import StdDH2HT
 from dalembert.robotics._parts import (
     PREVIOUS_LINK,
@@ -69,6 +70,8 @@ class Robot:
         self.tendons: dict[str, RobotTendon] = {}
         self.cables: dict[str, RobotCable] = {}
         self.keyframes: dict[str, RobotKeyframe] = {}
+        self.contacts: dict[str, RobotContact] = {}
+        self.contactExclusions: list[tuple[str, str]] = []
 
     def __repr__(self) -> str:
         parts = {"base": self.base, "tool": self.tool, "links": self.links}
@@ -140,6 +143,21 @@ class Robot:
             raise ValueError(f"Robot.AddConstraint: there is another '{constraint.name}' already; names must differ")
         constraint.check(self)
         self.constraints[constraint.name] = constraint
+
+    def AddContact(self, contact: RobotContact) -> None:
+        """Add a shape that touches others, whose frame must be there; robot.contacts has all of them by name."""
+        if not isinstance(contact, RobotContact):
+            raise TypeError(f"Robot.AddContact: received {contact!r}, but expected a RobotContact(...)")
+        if contact.name in self.contacts:
+            raise ValueError(f"Robot.AddContact: there is another '{contact.name}' already; names must differ")
+        place_of(self, contact.frame)
+        self.contacts[contact.name] = contact
+
+    def ExcludeContacts(self, frame0: str, frame1: str) -> None:
+        """Let shapes on one frame never touch those on another one."""
+        for frame in (frame0, frame1):
+            place_of(self, frame)
+        self.contactExclusions.append((frame0, frame1))
 
     def IsSerialRobot(self) -> bool:
         """Return whether each link is carried by the one before."""
@@ -419,8 +437,9 @@ class Robot:
         links (the indices of links and joints by name), resistances (a connector per joint with spring, damping,
         friction or stops, else None), couplings (a constraint per joint that follows another, else None), rotors (an
         object with the inertia of rotors, or None), supports (the loads that carry supported masses), actuators,
-        constraints and tendons (their objects by name, of tendons those with forces), and controls (the names of the
-        parameters of actuators that are the controls, see SetControls).
+        constraints and tendons (their objects by name, of tendons those with forces), controls (the names of the
+        parameters of actuators that are the controls, see SetControls), and contacts (the general contacts of
+        robot.contacts: as many as the pairs of shapes that touch need, as general contact has no filter of pairs).
         """
         start = self._keyframe("Robot.CreateKinematicTree", keyframe)
         stops = limitStiffness, limitDamping
@@ -470,11 +489,13 @@ class Robot:
         directions); with createJointTorqueLoads=False there are only the former. rotationMarkerBase turns the base
         against its marker; without it the base is as base.HT says. Bodies and joints have the names of links and their
         joints, after a name, which tells several robots apart. keyframe is as in CreateKinematicTree, without
-        rates. Returns a dict with lists of one entry per link:
+        rates. Links of floating joints are free bodies without a joint, as long as nothing acts on the coordinates
+        of these joints; their entries in lists are None, but node and body of the last one. Returns a dict with lists
+        of one entry per link:
         nodeList, bodyList, jointList, markerList0, markerList1, springDamperList, jointTorque0List, jointTorque1List,
         unitTorque0List, unitTorque1List, springList (springs of joints, or None); baseObject, the ground that draws the
         base, or -1; links, the indices of links and joints by name; supports, the loads that carry supported masses;
-        actuators, controls, constraints and tendons as in CreateKinematicTree.
+        actuators, controls, constraints, tendons and contacts as in CreateKinematicTree.
         """
         robot, start = self, self._keyframe("Robot.CreateRedundantCoordinateMBS", keyframe)
         if start is not None:

@@ -13,7 +13,7 @@ from dalembert._checks import FloatArray
 from dalembert._core import Matrix3DList, Vector3DList
 from dalembert._geometry.transformations import HTtranslate
 from dalembert._solving.quiet import require_system
-from dalembert.robotics import _actuators, _constraints, _drawing, _tendons
+from dalembert.robotics import _actuators, _constraints, _contacts, _drawing, _tendons
 from dalembert.robotics._parts import JOINT_AXES, JOINT_TYPES, REGULAR_VELOCITY, GraphicsList, RobotKeyframe
 from dalembert.robotics._tendons import AddMarker
 from dalembert.treeDynamics import TreeDynamics
@@ -276,5 +276,6 @@ def create(
         "tendons": _tendons.add(robot, mbs, node, stops) | _tendons.add_cables(robot, mbs, marker, stops),
         "supports": add_supports(robot, mbs, marker),
         "constraints": _constraints.add(robot, mbs, marker, node, coordinate),
+        "contacts": _contacts.add(robot, mbs, marker),
         **_add_actuators(robot, mbs, node, coordinate, marker),
     }

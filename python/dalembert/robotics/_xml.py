@@ -16,13 +16,17 @@ from dalembert._checks import FloatArray
 
 @dataclass
 class Element:
-    """An element with its attributes and children, and where it begins."""
+    """An element with its attributes and children, and where it begins.
+
+    model is the number of the attached model of an MJCF file that it belongs to; 0 for the file itself.
+    """
 
     tag: str
     attributes: dict[str, str]
     file: str
     line: int
     children: list[Element] = field(default_factory=list)
+    model: int = 0
 
     def fail(self, problem: str) -> NoReturn:
         """Raise the ValueError that names file, line and element."""

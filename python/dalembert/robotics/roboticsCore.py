@@ -10,6 +10,7 @@ from copy import deepcopy as deepcopy
 
 from dalembert.robotics._actuators import RobotActuator
 from dalembert.robotics._constraints import RobotCoupling, RobotLoop
+from dalembert.robotics._contacts import RobotContact
 from dalembert.robotics._denavit_hartenberg import ModDHKK2HT, StdDH2HT, projectAngleToPMPi
 from dalembert.robotics._inverse_kinematics import InverseKinematicsNumerical
 from dalembert.robotics._parts import RobotBase, RobotKeyframe, RobotLink, RobotTool, VRobotBase, VRobotLink, VRobotTool
@@ -23,6 +24,7 @@ __all__ = [
     "RobotActuator",
     "RobotBase",
     "RobotCable",
+    "RobotContact",
     "RobotCoupling",
     "RobotKeyframe",
     "RobotLink",

@@ -32,6 +32,7 @@ def ReadRobot(
     gravity: npt.ArrayLike | None = None,
     packages: Packages | None = None,
     graphics: bool = True,
+    contacts: bool = False,
 ) -> Robot:
     """Return the robot of a URDF or MJCF file, with the names of its links and joints.
 
@@ -40,12 +41,20 @@ def ReadRobot(
     coordinates become several joints, joint:0, joint:1 and so on, with links without mass between them. baseHT places
     the robot; gravity (m/s^2) is -9.81 along z, or that of the file. packages has the folders of meshes in URDF files,
     or a dictionary of these by name; graphics=False leaves shapes out. Meshes are STL files, or others with pymeshlab.
+    contacts=True lets shapes of an MJCF file touch each other: spheres, capsules, cylinders, boxes and planes, see
+    RobotContact. Their springs and dampers have about the penetrations and the damping of MuJoCo's soft contact, which
+    is another law.
 
     ValueError names file, line and element of an error.
     """
     fileName = file_to_read("ReadRobot: fileName", fileName)
     if read(fileName).tag == "mujoco":
-        robot = robot_of(read_mjcf(fileName, graphics))
+        robot = robot_of(read_mjcf(fileName, graphics, contacts))
+    elif contacts:
+        raise ValueError(
+            "ReadRobot: contacts: received True, but URDF files have neither stiffness nor friction of contacts; add "
+            "shapes by Robot.AddContact"
+        )
     else:
         robot = robot_of(read_urdf(fileName, packages, graphics))
     if gravity is not None:

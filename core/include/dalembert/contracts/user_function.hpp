@@ -91,7 +91,7 @@ template <int Results, int Capacity>
 Vec<double, Results> evaluate(const UserFunction& f, const Context& c,
                               const CallArguments<double, Capacity>& arguments) {
   Vec<double, Results> r;
-  arguments.call(f, c, &arguments[0], r.x);
+  c.same_state ? arguments.recall(f, c, &arguments[0], r.x) : arguments.call(f, c, &arguments[0], r.x);
   return r;
 }
 

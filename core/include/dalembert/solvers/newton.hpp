@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -70,6 +71,7 @@ class NewtonSolver : public Solver {
     double initial_residual = 0;
     double first_residual = 0;  // residual after the first iteration
     double best_residual = 0;
+    std::optional<double> round_off;  // found when it is first needed: increments are small then
     int idle = 0;
     int iterations_to_close = 0;  // constraints, after the tolerances are met
     double gap = 0;               // of constraints in the last static iterate
@@ -117,7 +119,7 @@ class NewtonSolver : public Solver {
   bool diverged();
   double evaluate_residual();
   double relative_increment();
-  double round_off_level();
+  double find_round_off_level();
   // Factor of ODE2 equations in `residual_`.
   virtual double row_scale() const { return 1; }
   std::vector<double> unscaled_residual() const;

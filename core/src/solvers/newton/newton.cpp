@@ -268,7 +268,8 @@ bool NewtonSolver::check_convergence() {
   const double moved = relative_increment();
   if (!(moved < moved_by_rounding)) return false;
   const double allowed = stagnated() && moved < negligible_increment ? rounding_errors : own_rounding_errors;
-  if (!(conv.residual <= allowed * round_off_level())) return false;
+  if (!loop_.round_off) loop_.round_off = find_round_off_level();
+  if (!(conv.residual <= allowed * *loop_.round_off)) return false;
   conv.newtonStagnated = true;
   ++it.stagnatedNewtonSteps;
   if (verbose(2)) say(2, "    the residual does not fall any more: round-off is reached\n");
@@ -297,7 +298,7 @@ bool NewtonSolver::stagnated() const {
 
 // Rounding errors to be expected in the residual: eps |K| |q| + eps |D| |v| + eps |M| |a| + eps |G^T| |lambda|, after Oettli
 // and Prager (1964).
-[[gnu::noinline]] double NewtonSolver::round_off_level() {
+[[gnu::noinline]] double NewtonSolver::find_round_off_level() {
   const State& now = current();
   const State& reference = system().state(ConfigurationType::Reference);
   const int n = sizes_.ode2, first_ae = sizes_.first_ae();
@@ -306,11 +307,13 @@ bool NewtonSolver::stagnated() const {
     if (column < n) return std::abs(now.q[column]) + (reference.q.empty() ? 0.0 : std::abs(reference.q[column]));
     return column < first_ae ? std::abs(now.y[column - n]) : std::abs(now.lambda[column - first_ae]);
   };
-  system().tangent(now, conditions_, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern(), values);
+  Conditions conditions = conditions_;
+  conditions.follows_residual = true;
+  system().tangent(now, conditions, {.q = 1, .v = 0, .a = 0, .y = 1, .y_t = 0}, pattern(), values);
   for_each_entry(pattern(),
                  [&](int row, int column, std::size_t k) { size[row] += std::abs(values[k]) * magnitude(column); });
   if (!is_static()) {
-    system().tangent(now, conditions_, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern(), values);
+    system().tangent(now, conditions, {.q = 0, .v = 1, .a = 0, .y = 0, .y_t = 0}, pattern(), values);
     for_each_entry(pattern(), [&](int row, int column, std::size_t k) {
       if (column < n) size[row] += std::abs(values[k] * now.v[column]);
     });
@@ -374,6 +377,7 @@ void NewtonSolver::restart() {
   evaluate_residual();
   loop_.one_more_step = true;
   loop_.idle = 0;
+  loop_.round_off.reset();
   if (verbose(2)) say(2, "    Newton started again from the beginning of the step\n");
 }
 
