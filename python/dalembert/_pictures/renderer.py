@@ -241,7 +241,8 @@ def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
 def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup: bool = True, viewID: int = 0) -> None:
     """Set the view, with entries of the dictionary that GetState gives.
 
-    showForces and showFloor, of view 0, let images have arrows of forces and a floor; both are False by default.
+    showForces and showFloor let images have arrows of forces and a floor; both are False by default. They are those of
+    all views, and set for view 0 only.
     """
     number = _view_number("SetState", viewID)
     here = "SC.renderer.SetState(...)"
@@ -255,10 +256,12 @@ def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup:
         as_vector(f"{here}: centerPoint", renderState["centerPoint"], 3)
     if "zoom" in renderState:
         as_number(f"{here}: zoom", renderState["zoom"])
-    for name in {"showForces", "showFloor"} & renderState.keys():
-        if number != 0 or not isinstance(renderState[name], (bool, np.bool_)):
-            raise shape_error(f"{here}: {name}", "True or False, for viewID=0", renderState[name])
-    state_of(self, number).update(renderState)
+    ours = {"showForces", "showFloor"} & renderState.keys()
+    for name in ours:
+        if not isinstance(renderState[name], (bool, np.bool_)):
+            raise shape_error(f"{here}: {name}", "True or False", renderState[name])
+    others = {name: value for name, value in renderState.items() if name not in ours}
+    state_of(self, number).update(renderState if number == 0 else others)
     _tell_pages(self, number)
 
 
