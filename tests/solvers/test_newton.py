@@ -9,6 +9,7 @@ import pytest
 from oscillators import dynamic_settings, oscillator
 
 import dalembert as exu
+from dalembert.beams import GenerateStraightLineANCFCable2D
 from dalembert.utilities import InertiaCuboid
 
 
@@ -94,6 +95,29 @@ def test_differences_agree_with_exact_derivatives(differences: str) -> None:
     found, other_counts = double_pendulum(False, 1e-11, differences)
     np.testing.assert_allclose(found, exact, rtol=0, atol=1e-9)  # the tolerance times 100 steps
     assert counts.newtonStepsCount <= other_counts.newtonStepsCount <= counts.newtonStepsCount + 10
+
+
+def test_groups_of_columns_change_no_bit() -> None:
+    """A cable: with a function, dependencies are unknown, and each column is moved by itself."""
+
+    def tip(with_function: bool) -> np.ndarray:
+        mbs = exu.SystemContainer().AddSystem()
+        cable = exu.Cable2D(
+            physicsMassPerLength=1, physicsBendingStiffness=10, physicsAxialStiffness=1e4, physicsBendingDamping=0.1
+        )
+        made = GenerateStraightLineANCFCable2D(
+            mbs, [0, 0, 0], [2, 0, 0], 6, cable, [0, -9.81, 0], fixedConstraintsNode0=[1, 1, 0, 1]
+        )
+        marker = mbs.AddMarker(exu.MarkerNodePosition(nodeNumber=made[0][-1]))
+        force: dict[str, Any] = {"loadVectorUserFunction": lambda mbs, t, load: load} if with_function else {}
+        mbs.AddLoad(exu.Force(markerNumber=marker, loadVector=[1, 2, 0], **force))
+        mbs.Assemble()
+        settings = dynamic_settings(0.1, 20, tolerance=1e-8)
+        settings.timeIntegration.newton.numericalDifferentiation.doSystemWideDifferentiation = True
+        mbs.SolveDynamic(settings)
+        return np.asarray(mbs.systemData.GetODE2Coordinates())
+
+    np.testing.assert_array_equal(tip(False), tip(True))
 
 
 def test_linear_systems_need_one_iteration() -> None:

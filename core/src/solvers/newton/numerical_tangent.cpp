@@ -112,14 +112,14 @@ class Choice {
         algebraic_(options.forAE),
         motion_(options.forODE2 || options.forODE2connectors),
         first_ae_(system.sizes().first_ae()),
-        of_items_(all_ ? nullptr : &system.pattern(false)) {}
+        of_items_(all_ && system.calls_user_functions() ? nullptr : &system.pattern(false)) {}
 
   bool everything() const { return all_; }
   // Only algebraic rows are chosen in these columns: in others, all rows may be.
   bool only_algebraic_rows(int column) const { return !all_ && !motion_ && column < first_ae_; }
   // Columns can be moved at the same time if none of them changes a row in which an entry of another one is chosen: A. R. Curtis,
   // M. J. D. Powell, J. K. Reid, On the estimation of sparse Jacobian matrices, IMA J. Appl. Math. 13, 1974. Each column is
-  // separate if dependencies are unknown.
+  // separate if dependencies are unknown, as those of user functions are.
   std::vector<std::vector<int>> groups(const Sizes& s) const {
     constexpr char changed = 1, chosen = 2;
     std::vector<std::vector<int>> groups;
@@ -127,7 +127,7 @@ class Choice {
     for (int column = 0; column < s.total(); ++column) {
       if (!any_in(column)) continue;
       const auto conflicts = [&](int row) { return selects(row, column) ? changed : chosen; };
-      std::size_t g = all_ ? groups.size() : 0;
+      std::size_t g = of_items_ == nullptr ? groups.size() : 0;
       for (; g < groups.size(); ++g) {
         if (only_algebraic_rows(column) != only_algebraic_rows(groups[g].front())) continue;
         if (!any_row(column, [&](int row) { return (uses[g][static_cast<std::size_t>(row)] & conflicts(row)) != 0; }))
@@ -135,10 +135,10 @@ class Choice {
       }
       if (g == groups.size()) {
         groups.emplace_back();
-        uses.emplace_back(all_ ? 0 : static_cast<std::size_t>(s.total()), 0);
+        uses.emplace_back(of_items_ == nullptr ? 0 : static_cast<std::size_t>(s.total()), 0);
       }
       groups[g].push_back(column);
-      if (!all_)
+      if (of_items_ != nullptr)
         for_each_row(*of_items_, column, [&](int row) {
           uses[g][static_cast<std::size_t>(row)] |= selects(row, column) ? changed | chosen : changed;
         });
@@ -146,13 +146,15 @@ class Choice {
     return groups;
   }
   bool operator()(int row, int column) const {
-    return all_ || (selects(row, column) && of_items_->contains(row, column));
+    return of_items_ == nullptr || (selects(row, column) && of_items_->contains(row, column));
   }
 
  private:
-  bool selects(int row, int column) const { return row < first_ae_ && column < first_ae_ ? motion_ : algebraic_; }
+  bool selects(int row, int column) const {
+    return all_ || (row < first_ae_ && column < first_ae_ ? motion_ : algebraic_);
+  }
   bool any_in(int column) const {
-    return all_ || any_row(column, [&](int row) { return selects(row, column); });
+    return of_items_ == nullptr || any_row(column, [&](int row) { return selects(row, column); });
   }
   // From the last row, as algebraic ones are shared by most columns.
   template <class F>
@@ -166,7 +168,7 @@ class Choice {
 
   bool all_, algebraic_, motion_;
   int first_ae_;
-  const Pattern* of_items_;  // dependencies declared by items
+  const Pattern* of_items_;  // dependencies declared by items; null: there may be others
 };
 
 double size_of_unknown(const Sizes& s, const State& state, const State& reference, bool with_reference, int column) {
@@ -182,7 +184,10 @@ void numerical_tangent(System& system, const State& state, const Conditions& con
                        const NewtonNumericalDifferentiationSettings& options, const Pattern& pattern,
                        std::span<double> values) {
   const Choice chosen(system, options);
-  if (!chosen.everything()) system.tangent(state, conditions, weights, pattern, values);
+  if (chosen.everything())
+    std::ranges::fill(values, 0.0);
+  else
+    system.tangent(state, conditions, weights, pattern, values);
   const Sizes& s = system.sizes();
   const State& reference = system.state(ConfigurationType::Reference);
   // The weights may be scaled by any factor: steps are not.
