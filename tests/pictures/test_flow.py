@@ -357,6 +357,7 @@ def test_messages_of_colored_meshes_are_those_of_drawn_scenes(
             )
         )  # fmt: skip
     mbs.Assemble()
+    move(mbs, 4)  # otherwise all numbers would be zero at first
     maker = SceneMaker(mbs, SC.visualizationSettings)
     flow, quick, slow = Flow(maker), Stage(), Stage()
     told = [messages(stage, flow.scene())[0] for stage in (quick, slow)]
@@ -401,3 +402,19 @@ def test_settings_stay_as_they_are_while_a_scene_is_made(SC: Any) -> None:
     with seen.kept(), seen.kept():
         assert seen.setting("nodes.defaultSize") == pytest.approx(0.3)
     assert seen.setting("nodes.defaultSize") == pytest.approx(0.3)
+
+
+def test_a_range_that_is_one_number_is_not_left_to_the_core(SC: Any, mbs: Any) -> None:
+    """It widens such a range, which readers would see; as soon as there are two numbers, it moves the parts."""
+    for x in range(2):
+        node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[x, 0, 0]))
+        mbs.AddObject(exu.ObjectMassPoint(physicsMass=1, nodeNumber=node))
+    mbs.Assemble()
+    contour = SC.visualizationSettings.contour
+    contour.outputVariable, contour.outputVariableComponent = exu.OutputVariableType.Displacement, 1
+    SC.visualizationSettings.bodies.show = False
+    flow = Flow(SceneMaker(mbs, SC.visualizationSettings))
+    for low in (0.0, -1.0):
+        mbs.systemData.SetODE2Coordinates([0, low, 0, 0, 0, 0], exu.ConfigurationType.Visualization)
+        assert flow.scene().value_range == (low, 0.0)
+        assert (flow.moving() is None) == (low == 0.0)

@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Iterator
 from io import BytesIO
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,8 @@ from PIL import Image
 import dalembert as exu
 from dalembert import graphics
 from dalembert._live.viewer import Viewer, viewer_of
+from dalembert._pictures.html import data
+from dalembert._pictures.motion import Still
 from dalembert.itemInterface import SensorNode
 from dalembert.utilities import InertiaCuboid
 
@@ -174,11 +177,113 @@ def test_it_makes_no_other_request_and_hides_its_token(viewer: Viewer, tab: Tab)
     tab.wait("page.frames > 0")  # it is still known
 
 
-def test_names_are_texts(tab: Tab) -> None:
+def test_names_are_texts(model: Any, tab: Tab) -> None:
+    """In the hint at the mouse, in panels of items, details, sliders and plots, in motions, and in notices."""
+    name = "<img src=x onerror=alert(1)>"
     x, y = tab.value("page.projected([1, 0, 0])")
+    tab.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
+    assert name in tab.wait("page.hint.textContent")
     tab.click(x, y)
-    text = tab.wait("document.querySelector('[data-name=details]').textContent")
-    assert text and tab.value("document.querySelectorAll('img').length") == 0
+    tab.wait(f"document.querySelector('[data-name=details]').textContent.includes('{name}')")
+    click = "[...document.querySelectorAll('[data-name=details] a')].find((a) => a.textContent === '{}').click()"
+    tab.value(click.format("physicsMass"))
+    tab.value(click.format("Position"))
+    tab.wait(f"page.panels.chosen?.[0].data.title.includes('{name}')")
+    tab.value("page.panels.items(page)")
+    assert name in tab.value("document.querySelector('[data-name=items]').textContent")
+    tab.value(f"page.take({{ kind: 'notice', text: '{name}' }})")
+    tab.value(
+        f"page.take({{ kind: 'controls', title: '{name}', widgets: [{{ type: 'label', text: '{name}', name: '0' }}] }})"
+    )
+    assert tab.value("document.querySelector('[data-name=controls]').textContent").count(name) == 2
+    tab.value(f"page.write([['{name}', [0, 0, 0]]], new Float32Array(3))")
+    assert tab.value("page.labels.textContent") == name
+    model.SaveHTML("names.html", title=name)
+    assert name not in Path("names.html").read_text("utf-8")
+    tab.value(
+        f"page.take({{ kind: 'motion', data: '{data(Still(model.GetSystemContainer()), {'title': name, 'plays': False, 'again': False})}' }})"
+    )
+    tab.wait(f"page.motion?.items.some((item) => item[3] === '{name}')")
+    tab.value("page.motion.panels.items(page.motion)")
+    assert name in tab.value("document.querySelector('.replay [data-name=items]').textContent")
+    assert tab.value("document.querySelectorAll('img').length") == 0
+
+
+def test_a_motion_that_comes_while_another_is_read_replaces_it(SC: Any, model: Any, tab: Tab) -> None:
+    packed = data(Still(SC), {"title": "", "plays": False, "again": False})
+    tab.value(f"(page.replay('{packed}'), page.replay('{packed}'))")
+    tab.value(f"page.replay('{packed}')")
+    assert tab.value("document.querySelectorAll('.replay').length") == 1
+    tab.value("page.close()")
+    assert tab.value("document.querySelectorAll('.replay').length") == 0
+
+
+def test_marks_leave_nothing_on_the_graphics_card(tab: Tab) -> None:
+    """A box around the picked item is made anew for each picture; edges of a mesh are shared by its places."""
+    tab.value("page.pick({ number: page.items.findIndex((i) => i[0] === 'Object' && i[1] === 1), distance: 1 })")
+    count = "(page.render(), page.renderer.info.memory.geometries)"
+    before = tab.value(count)
+    for _ in range(3):
+        tab.value(
+            "(page.mark(), page.measure({ point: page.camera.position.clone() }), page.measure({ point: page.controls.target }), page.render())"
+        )
+        tab.value("page.measure(null)")
+    assert tab.value(count) == before
+    rims = "page.objects.filter((object) => object.userData.rim)"
+    assert tab.value(f"{rims}.length") >= tab.value(f"new Set({rims}.map((rim) => rim.geometry)).size")
+
+
+def test_plots_of_one_number_with_round_off_are_drawn(tab: Tab) -> None:
+    """Ticks that are closer than round-off of their numbers would never come to an end."""
+    for numbers in ([1e8, 1e8 + 1.5e-8], [1.0, 1.0 + 2.3e-16], [-3.0, -3.0], [0.0, 1e-300], [5e-12, 6e-12]):
+        tab.value(f"page.panels.outputs([{{ title: '', curves: [{{ name: '', x: [0, 1], y: {numbers} }}] }}])")
+        assert tab.value("page.panels.chosen[0].drawn[0].length") == 2
+    tab.value("page.panels.outputs([{ title: '', curves: [{ name: '', x: [0, 1], y: [1e6, 2e6] }] }])")
+    for _ in range(30):  # drags that zoom in, as far as numbers go
+        tab.value("((plot) => (plot.from = [200, 80], plot.to = [210, 90], plot.zoom()))(page.panels.chosen[0])")
+    for low, high in np.reshape(tab.value("page.panels.chosen[0].window"), (2, 2)):
+        assert high - low > 1e-11 * high
+
+
+def test_a_field_without_a_number_changes_nothing_and_a_parameter_has_one_slider(tab: Tab) -> None:
+    tab.value("page.sent = [], page.panels.send = (kind, words) => page.sent.push(words.value)")
+    words = "{ system: 0, item: 'Object', number: 2, name: 'stiffness' }"
+    for value in (10, 20):
+        tab.value(f"page.panels.slider({words}, {value})")
+    assert tab.value("document.querySelectorAll('[data-name=sliders] input[type=text]').length") == 1
+    for text in ("", "  ", "many", "25", "1e400", "-3e2"):
+        tab.value(
+            f"((field) => (field.value = '{text}', field.onchange()))(document.querySelector('[data-name=sliders] input[type=text]'))"
+        )
+        shown = tab.value("document.querySelector('[data-name=sliders] input[type=text]').value")
+        assert shown == {"25": "25", "1e400": "25.0000", "-3e2": "-3e2"}.get(text, "20.0000")
+    assert tab.value("page.sent") == [25, -300]
+
+
+def test_the_search_for_items_stays_while_the_same_items_are_drawn_anew(viewer: Viewer, tab: Tab) -> None:
+    tab.value("page.panels.items(page), page.search = document.querySelector('[data-name=items] input')")
+    number = tab.value("page.number")
+    viewer.settings.general.backgroundColor = [0.9, 0.9, 1, 1]
+    tab.wait(f"page.number > {number}")
+    assert tab.value("page.search === document.querySelector('[data-name=items] input')")
+    tab.press("n")
+    tab.wait("page.search !== document.querySelector('[data-name=items] input')")
+
+
+def test_texts_can_be_read_on_a_dark_page_at_once(viewer: Viewer, tab: Tab) -> None:
+    tab.press("b", held=CONTROL)
+    tab.wait("page.labels.children.length > 0")
+    color = "getComputedStyle(page.labels.children[0]).color"
+    assert tab.value(color) == "rgb(0, 0, 0)"
+    tab.value("page.dark()")
+    assert tab.value(color) == "rgb(221, 221, 221)"
+    tab.value("page.dark()")
+    assert tab.value(color) == "rgb(0, 0, 0)"
+
+
+def test_a_scene_at_one_point_has_no_floor(tab: Tab) -> None:
+    tab.value("page.replace([], []), page.ground(), page.ground()")
+    assert tab.value("page.floor === null")
 
 
 @pytest.mark.parametrize("kind", ["Node", "Object", "Marker", "Load", "Sensor"])
@@ -313,6 +418,34 @@ def test_round_off_is_zero_on_the_bar_of_colors(SC: Any, viewer: Viewer, tab: Ta
         "(page.range(-1.5e-28, 0.6), [...document.querySelectorAll('.contour i')].map((i) => i.textContent))"
     )
     assert told[0] == "0.6000" and told[-1] == "0" and all(float(number) > 0 for number in told[:-1])
+
+
+def test_one_number_has_one_color_and_close_ones_have_digits_enough(SC: Any, viewer: Viewer, tab: Tab) -> None:
+    SC.visualizationSettings.contour.outputVariable = exu.OutputVariableType.Position
+    viewer.redraw()
+    tab.wait("document.querySelectorAll('.contour i').length > 0")
+    read = "[...document.querySelectorAll('.contour i')].filter((i) => i.offsetParent).map((i) => i.textContent)"
+    rows = "[...document.querySelectorAll('.contour .row')].filter((row) => row.offsetParent).length"
+    for value in (0.0, 0.25, -3.0, 25.0):
+        assert tab.value(f"(page.range({value}, {value}), [{rows}, ...{read}])") == [1, f"{value:g}"]
+    told = tab.value(f"(page.range(100000, 100000.1), {read})")
+    assert [float(number) for number in told] == pytest.approx([1e5 + 0.025 * k for k in (4, 3, 2, 1, 0)], abs=1e-3)
+    assert tab.value(f"(page.range(0, 5e-7), {read})") == ["5.000e-7", "3.750e-7", "2.500e-7", "1.250e-7", "0"]
+
+
+def test_images_have_the_same_floor(SC: Any, model: Any, viewer: Viewer, tab: Tab) -> None:
+    """The grid of a page and that of images, below the same box."""
+    from dalembert._pictures import floor
+
+    tab.wait("!!page.floor")
+    box = np.array(tab.value("[[...page.floor.box.min], [...page.floor.box.max]]"))
+    shown = tab.value("[...page.floor.object.children[0].geometry.getAttribute('position').array]")
+    lines = [points for points, *_ in floor.lines(box, viewer.studio.upwards())]
+    seen, expected = (
+        np.array(sorted(np.round(np.sort(ends, axis=0), 4).ravel().tolist() for ends in each))
+        for each in (np.reshape(shown, (-1, 2, 3)), lines)
+    )
+    np.testing.assert_allclose(seen, expected, atol=1e-4)  # pages have single precision
 
 
 def test_two_pages(model: Any, viewer: Viewer, browser: Browser, tab: Tab) -> None:

@@ -82,6 +82,8 @@ def test_keys_show_and_hide(viewer: Viewer) -> None:
     assert len(seen) == 5
     reader.press("r")
     reader.until(lambda: viewer.settings.nodes.showBasis)
+    reader.press("j")
+    reader.until(lambda: viewer.settings.connectors.showJointAxes)
     reader.press("3")
     reader.until(lambda: viewer.settings.general.graphicsUpdateInterval == 0.5)
 

@@ -14,6 +14,8 @@ from PIL import Image
 import dalembert as exu
 from dalembert import graphics
 from dalembert._pictures import notices
+from dalembert._pictures.looks import Looks
+from dalembert._pictures.making import SceneMaker
 from dalembert._pictures.studio import Studio
 from dalembert.itemInterface import NodePoint, SensorBody
 
@@ -222,6 +224,38 @@ def test_the_background_of_a_film_is_that_of_its_images(SC: Any, pendulum: Any) 
         for number in range(film.n_frames):
             film.seek(number)
             assert film.convert("RGB").getpixel((40, 2)) == (230, 204, 179)
+
+
+def test_one_number_has_one_tick_and_no_invented_range(SC: Any, mbs: Any) -> None:
+    """All nodes have the same displacement, up to round-off; the whole bar has the color of the bodies."""
+    from dalembert._pictures import contour
+    from dalembert._pictures.overlay import numbers_of_bar
+
+    nodes = [mbs.AddNode(exu.NodePoint(referenceCoordinates=[x, 0, 0], initialCoordinates=[0.1, 0, 0])) for x in (0, 1)]
+    for node in nodes:
+        mbs.AddObject(exu.ObjectMassPoint(physicsMass=1, nodeNumber=node))
+    mbs.Assemble()
+    settings = SC.visualizationSettings.contour
+    settings.outputVariable, settings.outputVariableComponent = exu.OutputVariableType.Displacement, 0
+    maker = SceneMaker(mbs, SC.visualizationSettings)
+    assert maker.scene().value_range == (0.1, 0.1)
+    looks = Looks(SC.visualizationSettings)
+    noise = np.array([0.1, 0.1 * (1 + 1e-15), 0.1 * (1 - 1e-15)])
+    low, high = contour.Contour(looks).range(noise)
+    assert low == high == noise.min()
+    shades = contour.shades(looks, noise, (low, high))
+    assert (shades == shades[0]).all()
+    np.testing.assert_allclose(contour.colors(looks, noise, (low, high))[:, :3] * 255, shades, atol=0.5)
+    for value in (0.1, 0.0, -2e6):
+        assert numbers_of_bar(value, value, 4) == [f"{value:.4g}"]
+    assert len(numbers_of_bar(0.0, 5e-7, 4)) == 7
+    picture = np.asarray(mbs.Draw(windowSize=[400, 300]))
+    column = picture[60:220, :][:, 300:].reshape(-1, 3)
+    bar = np.abs(column.astype(int) - shades[0]).max(axis=1) <= 1
+    assert bar.sum() > 1000
+    settings.minValue = settings.maxValue = 0.1
+    settings.automaticRange = False
+    assert np.isfinite(contour.colors(looks, noise, (0.1, 0.1))).all()
 
 
 def test_round_off_is_zero_on_the_bar_of_colors() -> None:

@@ -9,7 +9,7 @@ import pytest
 
 import dalembert as exu
 from dalembert import graphics
-from dalembert._pictures import contour, painting
+from dalembert._pictures import contour, painting, pen
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.looks import Looks
 from dalembert._pictures.making import SceneMaker
@@ -614,3 +614,69 @@ def test_scenes_of_any_size_look_alike(scale: float) -> None:
         mbs.Assemble()
         images.append(np.asarray(mbs.Draw(windowSize=[160, 120]), int))
     assert np.mean(np.abs(images[0] - images[1]).max(axis=2) > 40) < 0.01
+
+
+# ---- frames of joints
+
+
+def frames_of(mbs: Any, joint: int) -> list[tuple[Any, Any]]:
+    """Origins and axes (columns) of the frames that are drawn for a joint, by the colors of their arrows."""
+    settings = mbs.GetSystemContainer().visualizationSettings
+    settings.connectors.showJointAxes = True
+    scene = SceneMaker(mbs, settings).scene().unbound()
+    number = next(n for n, item in enumerate(scene.items) if (item.kind, item.number) == ("Object", joint))
+    shafts = [  # cylinders, which are longer than the cones at their ends
+        part for part in scene.instances if part.item == number and part.color in (pen.RED, pen.GREEN, pen.BLUE)
+    ][::2]
+    assert [part.color for part in shafts] == [pen.RED, pen.GREEN, pen.BLUE] * (len(shafts) // 3)
+    axes = [part.matrix[:, 2] / np.linalg.norm(part.matrix[:, 2]) for part in shafts]
+    return [(shafts[k].place, np.column_stack(axes[k : k + 3])) for k in range(0, len(shafts), 3)]
+
+
+def test_frames_of_joints_are_those_of_their_outputs(SC: Any, mbs: Any) -> None:
+    """Frames are the markers' with their joint rotations: R_m0 rotationMarker0, and R_m1 rotationMarker1."""
+    ground = mbs.CreateGround()
+    turned = RotationMatrixZ(0.4)
+    body = mbs.CreateRigidBody(
+        referencePosition=[1, 2, 3], referenceRotationMatrix=turned, inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1])
+    )
+    markers = [
+        mbs.AddMarker(MarkerBodyRigid(bodyNumber=number, localPosition=place))
+        for number, place in ((ground, [1, 2, 3]), (body, [0, 0, 0.5]))
+    ]
+    rotations = [exu.utilities.RotationMatrixX(0.3), exu.utilities.RotationMatrixY(-0.7)]
+    joint = mbs.AddObject(
+        exu.ObjectJointGeneric(
+            markerNumbers=markers, constrainedAxes=[1, 1, 0, 0, 0, 0], rotationMarker0=rotations[0],
+            rotationMarker1=rotations[1],
+        )
+    )  # fmt: skip
+    mbs.Assemble()
+    (place0, axes0), (place1, axes1) = frames_of(mbs, joint)
+    np.testing.assert_allclose(place0, [1, 2, 3], atol=1e-14)
+    np.testing.assert_allclose(place1, [1, 2, 3.5], atol=1e-14)
+    np.testing.assert_allclose(axes0, rotations[0], atol=1e-14)
+    np.testing.assert_allclose(axes1, turned @ rotations[1], atol=1e-14)
+    SC.visualizationSettings.connectors.showJointAxes = False
+    assert len(SceneMaker(mbs, SC.visualizationSettings).scene().instances) > 0
+    scene = SceneMaker(mbs, SC.visualizationSettings).scene()
+    assert all(part.color not in (pen.RED, pen.GREEN, pen.BLUE) for part in scene.instances)
+
+
+@pytest.mark.parametrize("penalty", [False, True])
+def test_the_frame_of_a_rolling_disc_is_at_its_contact_point(mbs: Any, penalty: bool) -> None:
+    """Frame J1 is an output of the item: lateral, forward, normal."""
+    ground = mbs.CreateGround()
+    tilted = exu.utilities.RotationMatrixY(0.2) @ RotationMatrixZ(0.3)
+    body = mbs.CreateRigidBody(
+        referencePosition=[1, 2, 0.3 * np.cos(0.2)], referenceRotationMatrix=tilted,
+        inertia=InertiaCuboid(1000, [0.4, 0.2, 0.1]),
+    )  # fmt: skip
+    create = mbs.CreateRollingDiscPenalty if penalty else mbs.CreateRollingDisc
+    more = {"contactStiffness": 1e5} if penalty else {}
+    joint = create(bodyNumbers=[ground, body], discRadius=0.3, axisPosition=[0, 0, 0], axisVector=[1, 0, 0], **more)
+    mbs.Assemble()
+    ((place, axes),) = frames_of(mbs, joint)
+    expected = np.reshape(mbs.GetObjectOutput(joint, Variable.RotationMatrix), (3, 3))
+    np.testing.assert_allclose(axes, expected, atol=1e-12)
+    np.testing.assert_allclose(place, mbs.GetObjectOutput(joint, Variable.Position), atol=1e-12)

@@ -40,6 +40,9 @@ def press(settings: Any, key: str, with_numbers: bool) -> bool:
     if letter == "r":
         settings.nodes.showBasis = not settings.nodes.showBasis
         return True
+    if letter == "j":
+        settings.connectors.showJointAxes = not settings.connectors.showJointAxes
+        return True
     if letter in INTERVALS:
         settings.general.graphicsUpdateInterval = INTERVALS[letter]
         return True

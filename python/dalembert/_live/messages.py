@@ -334,9 +334,3 @@ def _shape(arrays: Arrays, mesh: Mesh, color: Rgba | None) -> dict[str, Any]:
             entry["colors"] = arrays.shades(colors)
             entry["color"] = [1.0, 1.0, 1.0, float(colors[:, 3].min())]
     return entry
-
-
-def palette(looks: Looks) -> list[list[int]]:
-    """Return the colors of the bar, from its lower end to its upper one."""
-    colors: FloatArray = contour.colors(looks, np.linspace(0, 1, 13), (0.0, 1.0))
-    return np.round(255 * colors[:, :3]).astype(int).tolist()

@@ -63,6 +63,17 @@ class Record:
         self._put(rows[number])
         return float(rows[number, 0])
 
+    def at(self, when: float, function: Callable[[], Any]) -> Any:
+        """Return the result of a function in the state that was shown at a time: a recorded one, or the present one."""
+        present = self._row()[0]
+        if not len(self.times) or abs(present[0] - when) <= np.abs(self.times - when).min():
+            return function()
+        try:
+            self.show(when)
+            return function()
+        finally:
+            self._put(present)
+
     def evaluated(self, function: Callable[[], Any], since: float = -np.inf) -> list[tuple[float, Any]]:
         """Return the times and the results of a function in all recorded states after a time."""
         if self._track is None or self.times[-1] <= since:

@@ -1,7 +1,7 @@
 """A viewer shows the systems of a container on pages, while solvers work on them or scripts wait.
 
 It draws copies of the systems (shadows), in a thread of its own: solvers only copy their state now and then, and
-nothing that is drawn can change a result.
+nothing that is drawn can change a result. Readers can: they set parameters, and pull bodies with the mouse.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from dalembert._live import details, keys, views
 from dalembert._live.histories import History
 from dalembert._live.messages import Stage
 from dalembert._live.opening import PATIENCE, RETURN
+from dalembert._live.pulls import Pull, released
 from dalembert._live.records import Past, Plots
 from dalembert._live.server import PageServer
 from dalembert._live.widget import WidgetLink
@@ -35,6 +36,7 @@ from dalembert._pictures.studio import Studio
 SHORTEST = 1 / 30  # s between pictures, unless settings say otherwise
 SHARE = 0.25  # maximum fraction of the time for pictures: other threads need the interpreter
 LARGE = 50_000  # objects, whose scene takes seconds
+LONGEST_NAME = 40  # characters of a drag
 OFTEN = 0.5  # s between polls of changes without a signal: settings that scripts change, outputs of the selected item
 
 Receive = Callable[[int, dict[str, Any]], None]
@@ -96,7 +98,8 @@ class Viewer:
         self._told_times: dict[str, Any] = {}  # last message of the recorded times
         self._flow: Flow | None = None  # if nothing but places may have changed
         self._words: dict[Any, dict[str, Any]] = {}  # last message of the settings, by what else is in it
-        self._forces = False  # arrows of forces are drawn
+        self._pull: Pull | None = None  # the body that a reader pulls
+        self._forces = bool(state_of(container.renderer, 0).get("showForces"))  # their arrows are drawn
         self._seen = 0.0  # when a page was there, or is expected
         self.expect(PATIENCE["browser"])
         self.at_end: Callable[[], object] = lambda: None
@@ -128,6 +131,7 @@ class Viewer:
         self.server.tell({"kind": "stopped"})
         if threading.current_thread() is not self._thread:
             self._thread.join(2.0)
+        self._end_pull()
         self.at_end()
         self.server.stop()
 
@@ -259,6 +263,7 @@ class Viewer:
             if moved is not None:
                 self.server.publish(moved)
                 self.pictures += 1
+                self._tell_pull()
                 return True
         self._lacks = not self._knows_states()
         if self._lacks:
@@ -284,6 +289,7 @@ class Viewer:
         self._words = {known: words}
         self.server.publish(self.stage.messages(scene, looks, words, camera))
         self.pictures += 1
+        self._tell_pull()
         if self._home:
             self._home = False
             self.server.tell({"kind": "camera", "camera": camera().words()})
@@ -317,6 +323,7 @@ class Viewer:
         if changed or structure:
             self.past.begin(self.shadows)
             self.plots.drop()
+            self._end_pull()
         state = self.past.take(moved)
         for history in self._histories:
             history.rests = self.past.time is not None
@@ -373,6 +380,10 @@ class Viewer:
             self.server.tell({"kind": "outputs", "curves": curves}, page)
         if self._controls:
             self.server.tell({"kind": "controls", **self._controls, "values": self.values}, page)
+
+    def _on_closed(self, page: int, message: dict[str, Any]) -> None:
+        if self._pull is not None and self._pull.page == page:
+            self._end_pull()
 
     def _on_key(self, page: int, message: dict[str, Any]) -> None:
         key, control, shift = str(message["key"]), bool(message["control"]), bool(message["shift"])
@@ -482,6 +493,7 @@ class Viewer:
     def _on_forces(self, page: int, message: dict[str, Any]) -> None:
         """Draw arrows of forces, or none."""
         self._forces = not self._forces
+        state_of(self.container.renderer, 0)["showForces"] = self._forces  # images follow
         for maker in self.studio.makers if self.studio is not None else []:
             maker.show_forces(self._forces)
         self._dirty = True
@@ -492,10 +504,64 @@ class Viewer:
         if when is not None and not np.isfinite(float(when)) or not 0 < speed < np.inf:
             raise ValueError("expected finite numbers, and a positive speed")
         when = None if when is None else float(when)
+        self._end_pull()
         self.past.seek(when, int(message.get("step", 0)), bool(message.get("plays")), speed)
         self._tell_times()
 
+    def _on_pull(self, page: int, message: dict[str, Any]) -> None:
+        """Pull a body: the first message of a drag names item and point, all have the position of the mouse."""
+        target, strength = np.asarray(message["target"], float).reshape(3), float(message["strength"])
+        try:
+            if not (np.isfinite(target).all() and 0 < strength < np.inf):
+                raise ValueError("expected finite numbers, and a positive strength")
+            if "item" in message:
+                self._hold(page, message)
+            if self._is_held(page, message):
+                assert self._pull is not None
+                self._pull.pull(target.tolist(), strength)
+                self._tell_pull()
+        except (RuntimeError, ValueError) as error:  # an item that cannot be pulled
+            self._on_release(page, message)
+            self.server.tell(released(_drag(message)), page)
+            raise ValueError(str(error)) from error
+
+    def _hold(self, page: int, message: dict[str, Any]) -> None:
+        """Hold the body that a page has picked, in place of the one that was held before."""
+        picked = self.stage.item(int(message["scene"]), int(message["item"]))
+        point, time = np.asarray(message["point"], float).reshape(3), float(message["time"])
+        if picked is None or not np.isfinite(point).all():
+            raise ValueError("the item is not there any more")
+        if self.past.time is not None:
+            raise ValueError("an earlier state is shown; go back to the live view to pull bodies")
+        shadow = self.shadows[picked.system]
+        if not (shadow.solving or self._controls):
+            raise ValueError("no solver is running; bodies are pulled while one runs or is paused")
+        self._end_pull()
+        assert self.studio is not None
+        maker, record = self.studio.makers[picked.system], self.past.record_of(picked.system)
+        self._pull = Pull(page, _drag(message), shadow, maker, picked, point, record, time)
+
+    def _on_release(self, page: int, message: dict[str, Any]) -> None:
+        """Let go of the body that a page pulls."""
+        if self._is_held(page, message):
+            self._end_pull()
+
+    def _is_held(self, page: int, message: dict[str, Any]) -> bool:
+        """Return whether a message is about the body that is held now: pages may be late."""
+        return self._pull is not None and (self._pull.page, self._pull.name) == (page, _drag(message))
+
     # ---- what they lead to
+
+    def _end_pull(self) -> None:
+        """Let go of the body that a page pulls."""
+        if self._pull is not None:
+            pull, self._pull = self._pull, None
+            pull.end()
+            self.server.tell(released(pull.name))
+
+    def _tell_pull(self) -> None:
+        if self._pull is not None:
+            self.server.tell(self._pull.words())
 
     def _leave(self, call: Callable[[], object]) -> None:
         """Leave a function of the user for the thread that works on the systems, or waits."""
@@ -566,3 +632,8 @@ class Viewer:
         words |= {"numbers": details.numbers(mbs, kind, number), "item": [system, kind, number]}
         words |= {"outputs": details.outputs(mbs, kind, number), "time": mbs.systemData.GetTime(details.SHOWN)}
         self.server.tell({"kind": "details", **words})
+
+
+def _drag(message: dict[str, Any]) -> str:
+    """Return the name that a page has given to a drag."""
+    return str(message["id"])[:LONGEST_NAME]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from dalembert._live.messages import palette
+from dalembert._pictures.contour import palette
 from dalembert._pictures.looks import Looks, clip
 from dalembert._pictures.renderer import state_of
 from dalembert._pictures.scene import Scene

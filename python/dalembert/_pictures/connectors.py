@@ -76,20 +76,38 @@ def torsional_spring(pen: Pen, item: Item) -> None:
         pen.mesh(mesh, ends[0], _joint_frame(pen, item), color)
 
 
-def _axes(pen: Pen, item: Item) -> None:
-    """Draw the axes of a joint at both of its markers, as connectors.showJointAxes says."""
+def axes(pen: Pen, item: Item) -> None:
+    """Draw the axes in which outputs of a joint are measured, as connectors.showJointAxes says.
+
+    They are at the markers, rotated by rotationMarker0 and rotationMarker1; those of a rolling disc are at the contact.
+    """
+    name = item["objectType"]
     if not pen.looks.setting("connectors.showJointAxes"):
         return
-    for index, marker in enumerate(item["markerNumbers"]):
-        if (place := pen.places.marker(marker)) is not None:
-            pen.stick("Marker", marker)
-            pen.frame(place, _joint_frame(pen, item, index), pen.looks.length("connectors.jointAxesLength", 0.08))
+    length = pen.looks.length("connectors.jointAxesLength", 0.05)
+    if DRAWINGS.get(name) is disc:
+        _contact_axes(pen, item, length)
+    elif name in WITH_AXES or drawings_of_packages().get(name, ("",))[0] == "joints":
+        for index, marker in enumerate(item["markerNumbers"]):
+            if (place := pen.places.marker(marker)) is not None:
+                pen.stick("Marker", marker)
+                pen.frame(place, _joint_frame(pen, item, index), length)
 
 
-def bushing(pen: Pen, item: Item) -> None:
-    """A helix; its axes are those in which stiffness counts."""
-    spring(pen, item)
-    _axes(pen, item)
+def _contact_axes(pen: Pen, item: Item, length: float) -> None:
+    """Draw the lateral and forward direction and the normal at the contact point of a disc."""
+    plane, center = item["markerNumbers"]
+    if (place := pen.places.marker(center)) is None:
+        return
+    axis = pen.places.marker_rotation(center) @ np.asarray(item["discAxis"], float)
+    normal = pen.places.marker_rotation(plane) @ np.asarray(item["planeNormal"], float)
+    forward = np.cross(axis, normal)
+    if (size := float(np.linalg.norm(forward))) == 0:
+        return  # the disc lies on the plane
+    forward = forward / size
+    pen.stick()
+    rotation = np.column_stack([np.cross(normal, forward), forward, normal])
+    pen.frame(place + float(item["discRadius"]) * np.cross(axis, forward), rotation, length)
 
 
 def rod(pen: Pen, item: Item, thickness: float = 0.24) -> None:
@@ -220,7 +238,6 @@ def revolute(pen: Pen, item: Item) -> None:
         radius, length = _axes_size(pen, item, "axis")
         axis = 0.5 * length * _joint_frame(pen, item)[:, 2]
         pen.cylinder(ends[0] - axis, ends[0] + axis, radius, pen.looks.color(item, "connectors.defaultColor"))
-        _axes(pen, item)
 
 
 def prismatic(pen: Pen, item: Item) -> None:
@@ -231,7 +248,6 @@ def prismatic(pen: Pen, item: Item) -> None:
         pen.cylinder(ends[0], ends[1], 0.3 * radius, color)
         pen.box(ends[0], frame, [length, 1.2 * radius, 1.2 * radius], color)
         pen.box(ends[1], frame, [0.35 * length, 2.2 * radius, 2.2 * radius], GREY)
-        _axes(pen, item)
 
 
 def generic_joint(pen: Pen, item: Item) -> None:
@@ -241,7 +257,6 @@ def generic_joint(pen: Pen, item: Item) -> None:
     """
     if not (ends := _ends(pen, item)):
         return
-    _axes(pen, item)
     radius, length = _axes_size(pen, item, "axes")
     color, frame = pen.looks.color(item, "connectors.defaultColor"), _joint_frame(pen, item)
     constrained = list(item["constrainedAxes"])
@@ -269,7 +284,6 @@ def spherical(pen: Pen, item: Item) -> None:
         pen.stick("Marker", item["markerNumbers"][0], turns=False)
         radius = pen.looks.item_length(float(item["VjointRadius"]), 0.1, 0.02)
         pen.sphere(ends[0], radius, pen.looks.color(item, "connectors.defaultColor"))
-        _axes(pen, item)
 
 
 def planar_revolute(pen: Pen, item: Item) -> None:
@@ -404,7 +418,7 @@ DRAWINGS: dict[str, Drawing] = {
     "ConnectorSpringDamper": spring,
     "ConnectorCartesianSpringDamper": spring,
     "ConnectorLinearSpringDamper": axial_spring,
-    "ConnectorRigidBodySpringDamper": bushing,
+    "ConnectorRigidBodySpringDamper": spring,
     "ConnectorTorsionalSpringDamper": torsional_spring,
     "ConnectorCoordinateSpringDamper": spring,
     "ConnectorCoordinateSpringDamperExt": spring,
@@ -435,6 +449,17 @@ DRAWINGS: dict[str, Drawing] = {
     "ContactConvexRoll": roll_contact,
     "ContactCurveCircles": curve_contact,
 }
+# Their outputs are in the axes of their markers, or of frames that are rotated relative to these.
+WITH_AXES = (
+    "JointGeneric",
+    "JointRevoluteZ",
+    "JointPrismaticX",
+    "JointPrismatic2D",
+    "JointSpherical",
+    "ConnectorRigidBodySpringDamper",
+    "ConnectorTorsionalSpringDamper",
+    "ConnectorLaw",
+)
 # Items of packages: drawings that a spec can name, and those of folders.
 NAMED: dict[str, Drawing] = {
     "spring": spring,

@@ -14,6 +14,9 @@ from dalembert._core import OutputVariableType
 from dalembert._pictures.looks import Looks
 from dalembert._tools.sensor_facts import unit_on_bodies
 
+ROUND_OFF = 1e-13  # relative width of a range that is one number: outputs are sums of some hundred products
+LEAST_RANGE = 1e-6  # width of the range with which one number is colored, relative to it or to 1
+
 
 class Contour:
     """The quantity shown as colors: one component of an output variable, or its norm (component -1)."""
@@ -46,7 +49,7 @@ class Contour:
         if not self.looks.setting("contour.automaticRange") or len(values) == 0:
             return self.fixed_range()
         low, high = float(values.min()), float(values.max())
-        return (low, high) if high > low else (low, low + max(abs(low), 1.0) * 1e-6)
+        return (low, high) if high - low > ROUND_OFF * max(abs(low), abs(high)) else (low, low)
 
     def fixed_range(self) -> tuple[float, float]:
         """Return the numbers at the ends of the bar that the settings name."""
@@ -70,10 +73,22 @@ def _keys(looks: Looks) -> tuple[Shade, ...]:
 
 def colors(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> FloatArray:
     """Return a color (RGBA) for each number: five of them in equal parts of the range, others beyond it."""
-    low, high = limits
+    low, high = widened(limits)
     result = _colored((np.asarray(values, float) - low) / (high - low), _keys(looks))
     result[:, 3] = opacity(looks)
     return result
+
+
+def widened(limits: tuple[float, float]) -> tuple[float, float]:
+    """Return the range with which colors are computed: if all numbers are the same, they have the lowest color."""
+    low, high = limits
+    return limits if high != low else (low, low + LEAST_RANGE * max(abs(low), 1.0))
+
+
+def palette(looks: Looks) -> list[list[int]]:
+    """Return the colors of the bar on pages, from its lower end to its upper one."""
+    shades: FloatArray = colors(looks, np.linspace(0, 1, 13), (0.0, 1.0))
+    return np.round(255 * shades[:, :3]).astype(int).tolist()
 
 
 def opacity(looks: Looks) -> float:
@@ -97,7 +112,7 @@ STEPS = 1024  # steps of the range, for many numbers
 
 def shades(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> npt.NDArray[np.uint8]:
     """Return colors as bytes (RGB), by a table that is accurate to rounding."""
-    return _core._shades(values, *limits, table(looks))
+    return _core._shades(values, *widened(limits), table(looks))
 
 
 def table(looks: Looks) -> npt.NDArray[np.uint8]:

@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dalembert._checks import as_array, as_positive, shape_error
+from dalembert._checks import FloatArray, as_array, as_positive, shape_error
 from dalembert._core import ConfigurationType
 from dalembert._io.files import file_to_write
 from dalembert._tools.found_items import index_of
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from PIL.Image import Image as PillowImage
 
     from dalembert._pictures.camera import Camera
@@ -30,6 +32,8 @@ def Draw(
     configuration: Any = None,
     zoom: float = 1.0,
     around: Any = None,
+    forces: bool | None = None,
+    floor: bool | None = None,
 ) -> PillowImage:
     """Return a picture of the system as it is visualized; before Assemble(), of its reference configuration.
 
@@ -37,7 +41,9 @@ def Draw(
     'back', 'left', 'right', 'top', 'bottom', 'axonometric', or a rotation matrix with the rows right, up, towards the
     viewer; the default is that of SC.renderer.SetModelView, or a view that fits the system. `windowSize` are width and
     height in pixels; `zoom` > 1 shows things larger; `around` is an object, or a list of objects, in the middle of the
-    picture, by index or name; otherwise, the camera follows the marker of view0.camera.trackMarker.
+    picture, by index or name; otherwise, the camera follows the marker of view0.camera.trackMarker. `forces` draws
+    arrows of loads, joints, connectors and contacts, with their scale, `floor` a grid with round numbers below the
+    system; both are off unless SC.renderer.SetState has set showForces or showFloor.
     SC.visualizationSettings has sizes, colors and visibility.
     """
     from PIL import Image as Pillow
@@ -54,6 +60,7 @@ def Draw(
     if around is not None:
         around = [index_of(mbs, "Object", item, "Draw: around") for item in np.atleast_1d(np.asarray(around, object))]
     studio = Studio(mbs.GetSystemContainer(), [mbs])
+    studio.show(forces, floor)
     scene = studio.scene(configuration)
     size = studio.size(0) if windowSize is None else _size(windowSize, "Draw")
     camera = camera_for(studio, scene, view, size, zoom, around, "Draw: ")
@@ -74,12 +81,14 @@ def DrawSolution(
     view: Any = None,
     windowSize: Any = None,
     zoom: float = 1.0,
+    forces: bool | None = None,
+    floor: bool | None = None,
 ) -> None:
     """Make a film of a solution (from LoadSolutionFile), or of the last simulation if solution is None.
 
     A `fileName` with .gif or .webp needs nothing else, .mp4 the program ffmpeg; a name with a % such as
     'images/frame%05d.png' gives numbered images. `speed` is the time of the solution that passes in a second.
-    View, size and zoom are those of Draw(); the camera shows the whole motion, or follows the marker of
+    View, size, zoom, forces and floor are those of Draw(); the camera shows the whole motion, or follows the marker of
     visualizationSettings.view0.camera.trackMarker.
     """
     from pathlib import Path
@@ -94,7 +103,7 @@ def DrawSolution(
     else:
         check_image_name(name_of(0), "DrawSolution: fileName")
     size = None if windowSize is None else _size(windowSize, "DrawSolution")
-    motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom)
+    motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom, forces=forces, floor=floor)
     if name_of is not None:
         for number, image in enumerate(motion.images()):
             save_image(image, name_of(number))
@@ -102,11 +111,11 @@ def DrawSolution(
         save_film(motion.images(), fileName, framesPerSecond)
 
 
-def around(scenes: list[Scene]) -> Scene:
-    """Return a scene with the corners of all that is drawn in others."""
+def around(scenes: list[Scene], box_of: Callable[[Scene], FloatArray | None] | None = None) -> Scene:
+    """Return a scene with the corners of all that is drawn in others; those of their boxes, or of another function."""
     from dalembert._pictures.scene import Scene
 
-    boxes = [box for box in (scene.box() for scene in scenes) if box is not None]
+    boxes = [box for box in map(box_of or Scene.box, scenes) if box is not None]
     corners = np.concatenate(boxes) if boxes else np.zeros((0, 3))
     lines = [(corners, (0.0, 0.0, 0.0, 1.0), 0.0, -1)] if len(corners) else []
     return Scene(lines=lines, value_name=scenes[0].value_name)

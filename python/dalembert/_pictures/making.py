@@ -80,6 +80,15 @@ class SceneMaker:
         self.changes()
         return Places(self.mbs, configuration, self.source, self._items, coarse=True)
 
+    def link_at(self, number: int, point: FloatArray) -> int:
+        """Return the link of a kinematic tree that is drawn at a point; -1 for its base, and for other objects."""
+        item = self.mbs.GetObject(number)
+        if item["objectType"] != "KinematicTree":
+            return -1
+        pen = Pen(Scene(), self.places_again(ConfigurationType.Visualization), self.looks)
+        pen.take(DrawnItem("Object", number, item["objectType"], item["name"]))
+        return self.trees.link_at(pen, number, item, point)
+
     def changes(self) -> int:
         """Return how often items have come, gone or got other parameters."""
         if self.source.changed():
@@ -146,6 +155,8 @@ class SceneMaker:
         """Draw parts without an item, and compute time and range of the colors."""
         scene = pen.scene
         scene.time = float(self.mbs.systemData.GetTime(pen.places.configuration)) if pen.places.source else 0.0
+        if self.forces is not None and pen.places.source:
+            scene.information.append(self.forces.words(self.looks.size))
         if self.has_traces():
             traces.draw(pen, scene.time, self.stored)
         if self.looks.setting("view0.scene.drawWorldBasis"):
@@ -161,7 +172,7 @@ class SceneMaker:
         with self.looks.kept():
             colors = Contour(self.looks)
             shown, grows = self._range, self._range is not None and not self.looks.setting("contour.reduceRange")
-            limits, table = colors.fixed_range(), contour.table(self.looks)
+            limits, table = contour.widened(colors.fixed_range()), contour.table(self.looks)
             automatic = bool(self.looks.setting("contour.automaticRange"))
             return colors.variable, colors.component, automatic, bool(grows), limits, shown or limits, table
 
@@ -317,6 +328,7 @@ class SceneMaker:
             symbols.sensor(pen, number, item)
         elif drawing := connectors.drawing(item["objectType"]):
             drawing(pen, item)
+            connectors.axes(pen, item)
         else:
             self._draw_body(pen, colors, number, item)
 

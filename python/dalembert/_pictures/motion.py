@@ -37,11 +37,14 @@ class Motion:
         optional: bool = False,
         every_row: bool = False,
         page: bool = False,
+        forces: bool | None = False,
+        floor: bool | None = False,
     ) -> None:
         """Make the scenes; every_row makes one for each row of the solution, otherwise they are at equal time
         intervals.
 
         `optional`: if there is no solution, the visualization state is the only scene. `page`: it is shown on a page.
+        `forces` and `floor` are those of Studio.show.
         """
         self.rate, speed = (
             as_positive(f"{caller}: framesPerSecond", framesPerSecond),
@@ -51,6 +54,7 @@ class Motion:
             check_solution(caller, solution)
         self.studio = Studio(mbs.GetSystemContainer(), [mbs])
         self.studio.perspective = PERSPECTIVE_OF_PAGES if page else None
+        self.studio.show(forces, floor)
         self._tracked: list[Any] = []  # pose that the camera follows, per scene
         self.size = size or self.studio.size(0)
         try:
@@ -68,6 +72,7 @@ class Motion:
 
     def images(self) -> Iterator[Image]:
         """Return the images; the camera follows a marker as view0.camera.trackMarker says."""
+        self.studio.floor_box = draw.around(self.scenes, Scene.extent).extent()  # the floor stays where it is
         for scene, tracked in zip(self.scenes, self._tracked, strict=True):
             camera = replace(self.camera)
             self.studio.track(camera, 0, tracked)

@@ -103,7 +103,12 @@ def _add_axes(canvas: Pillow.Image, camera: Camera, looks: Looks, size: float) -
 
 
 def numbers_of_bar(low: float, high: float, digits: int) -> list[str]:
-    """Return the numbers of the color bar, from bottom to top; round-off of zero is shown as zero."""
+    """Return the numbers of the color bar, from bottom to top; round-off of zero is shown as zero.
+
+    There is a single one if all values are the same.
+    """
+    if low == high:
+        return [f"{low:.{digits}g}"]
     numbers = low + (high - low) * np.arange(7) / 6
     numbers[np.abs(numbers) < 1e-9 * max(abs(low), abs(high))] = 0.0
     return [f"{number:.{digits}g}" for number in numbers]
@@ -121,9 +126,12 @@ def _add_bar(canvas: Pillow.Image, scene: Scene, looks: Looks, size: float, ink:
     left = canvas.width - wide - 3.6 * size
     draw = ImageDraw.Draw(canvas)
     shades = contour.colors(looks, low + (high - low) * (np.arange(tiles) + 0.5) / tiles, scene.value_range)
+    if len(texts) == 1:
+        shades[:] = contour.colors(looks, np.array([low]), scene.value_range)
     for k, shade in enumerate(shades):
         y0, y1 = (bottom + (top - bottom) * j / tiles for j in (k + 1, k))
         draw.rectangle([left, y0, left + 1.4 * size, y1], _bytes(shade))
     for k, text in enumerate(texts):
-        draw.text((left + 2 * size, bottom + (top - bottom) * k / 6), text, ink, letters, "lm")
+        part = k / 6 if len(texts) > 1 else 0.5
+        draw.text((left + 2 * size, bottom + (top - bottom) * part), text, ink, letters, "lm")
     draw.text((canvas.width - size, top - 1.2 * size), scene.value_name, ink, letters, "rs")

@@ -27,5 +27,6 @@ def _studio_of(mbs: Any) -> Studio:
         studio = _last[3]
     else:
         studio = Studio(mbs.GetSystemContainer())
+        studio.show()
     _last = (weakref.ref(mbs), items, time, studio)
     return studio

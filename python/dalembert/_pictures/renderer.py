@@ -152,10 +152,12 @@ def SendRedrawSignal(self: Any) -> None:
 def RedrawAndGetImage(self: Any, useRaytracer: bool = False, viewID: int = 0) -> Image:
     """Return an image, height x width x 3 bytes, of all systems; size, colors and camera are those of the settings.
 
-    useRaytracer, or the setting of that name of the view, selects the ray tracer.
+    useRaytracer, or the setting of that name of the view, selects the ray tracer. Arrows of forces and a floor are
+    drawn if the state of view 0 has showForces and showFloor, see SetState.
     """
     number = _view_number("RedrawAndGetImage", viewID)
     studio = _studio(self, "RedrawAndGetImage")
+    studio.show()
     self._state["renderCount"] = int(self._state.get("renderCount", 0)) + 1
     return studio.picture(number, bool(useRaytracer))
 
@@ -164,6 +166,7 @@ def RedrawAndSaveImage(self: Any, viewID: int = 0) -> None:
     """Save an image to exportImages.saveImageFileName, with a number unless saveImageSingleFile is set."""
     number = _view_number("RedrawAndSaveImage", viewID)
     studio = _studio(self, "RedrawAndSaveImage")
+    studio.show()
     self._state["renderCount"] = int(self._state.get("renderCount", 0)) + 1
     from dalembert._pictures.studio import save_next
 
@@ -236,7 +239,11 @@ def GetState(self: Any, viewID: int = 0) -> dict[str, Any]:
 
 
 def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup: bool = True, viewID: int = 0) -> None:
-    """Set the view, with entries of the dictionary that GetState gives."""
+    """Set the view, with entries of the dictionary that GetState gives.
+
+    showForces and showFloor let images have arrows of forces and a floor; both are False by default. They are those of
+    all views, and set for view 0 only.
+    """
     number = _view_number("SetState", viewID)
     here = "SC.renderer.SetState(...)"
     if not isinstance(renderState, dict):
@@ -249,7 +256,12 @@ def SetState(self: Any, renderState: dict[str, Any], waitForRendererFullStartup:
         as_vector(f"{here}: centerPoint", renderState["centerPoint"], 3)
     if "zoom" in renderState:
         as_number(f"{here}: zoom", renderState["zoom"])
-    state_of(self, number).update(renderState)
+    ours = {"showForces", "showFloor"} & renderState.keys()
+    for name in ours:
+        if not isinstance(renderState[name], (bool, np.bool_)):
+            raise shape_error(f"{here}: {name}", "True or False", renderState[name])
+    others = {name: value for name, value in renderState.items() if name not in ours}
+    state_of(self, number).update(renderState if number == 0 else others)
     _tell_pages(self, number)
 
 

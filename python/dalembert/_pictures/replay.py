@@ -161,8 +161,7 @@ def _contour(scenes: list[Scene], looks: Looks, limits: tuple[float, float]) -> 
     name = next((scene.value_name for scene in scenes if len(scene.values())), "")
     if not name:
         return None
-    shades = contour.colors(looks, np.linspace(*limits, 13), limits)[:, :3]
-    return {"name": name, "range": limits, "colors": np.round(255 * shades).astype(int).tolist()}
+    return {"name": name, "range": limits, "colors": contour.palette(looks)}
 
 
 def _keyed(parts: list[tuple[int, Any]]) -> dict[Key, Any]:

@@ -156,6 +156,10 @@ class Scene:
         wide = np.linalg.norm(objects[1] - objects[0]) > WIDE * np.linalg.norm(moving[1] - moving[0])
         return moving if wide else objects
 
+    def extent(self) -> FloatArray | None:
+        """Return the smallest and largest coordinates of all parts; None if there are none."""
+        return self._corners(np.ones(len(self.items) + 1, bool))
+
     def box_of(self, objects: list[int]) -> FloatArray | None:
         """Return the same for these objects alone."""
         return self._corners(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from dalembert import _core
 from dalembert._checks import FloatArray
 from dalembert._io.files import file_to_write
 from dalembert._pictures import camera, films, painting
+from dalembert._pictures import floor as floors
 from dalembert._pictures.camera import Camera
 from dalembert._pictures.flow import Flow
 from dalembert._pictures.making import SceneMaker
@@ -38,6 +40,7 @@ def joined(scenes: list[Scene]) -> Scene:
         whole.spheres += [(center, radius, color, item + start) for center, radius, color, item in scene.spheres]
         whole.lines += [(points, color, width, item + start) for points, color, width, item in scene.lines]
         whole.labels += scene.labels
+        whole.information += scene.information
         whole.time = max(whole.time, scene.time)
         whole.value_name = whole.value_name or scene.value_name
     if len(values := whole.values()):
@@ -59,8 +62,17 @@ class Studio:
             for number, mbs in enumerate(known if systems is None else systems)
         ]
         self._flows: list[Flow] = []
+        self.floor = False  # images have a floor, below
+        self.floor_box: FloatArray | None = None  # this box, or below the scene
         self.perspective: float | None = None  # that of pages; None: that of the settings
         tell_settings_without_effect(self.settings)
+
+    def show(self, forces: bool | None = None, floor: bool | None = None) -> None:
+        """Let images have arrows of forces and a floor; None: as the render state says."""
+        state = state_of(self.container.renderer, 0)
+        self.floor = bool(state.get("showFloor")) if floor is None else bool(floor)
+        for maker in self.makers:
+            maker.show_forces(bool(state.get("showForces")) if forces is None else bool(forces))
 
     def margin(self) -> float:
         """Return the ratio of the image size to the size of its contents."""
@@ -175,6 +187,10 @@ class Studio:
     ) -> Image:
         """Return the image of a scene; the argument or the settings of the view select the ray tracer."""
         settings, looks, size = self.view(number), self.makers[0].looks, size or self.size(number)
+        if self.floor:
+            box = scene.extent() if self.floor_box is None else self.floor_box
+            grid = floors.lines(box, self.upwards(), self.settings.general.backgroundColor)
+            scene = replace(scene, lines=[*scene.lines, *grid])
         if not raytracer and not settings.camera.useRaytracer:
             tell_settings_of_rays(self.settings)
             return painting.paint(scene, view, looks, settings, size)

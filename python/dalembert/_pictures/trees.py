@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from dalembert._pictures.looks import rgba
 from dalembert._pictures.pen import Pen
 
 Item = dict[str, Any]
+TINY = 1e-300  # of squares of lengths, in place of zero
 
 
 class Trees:
@@ -42,6 +44,22 @@ class Trees:
         """Draw links, as their graphics data or as rods between the joints; joints where there are no graphics data."""
         draw(pen, item, self.shapes(pen, number, item["name"]), self._ends_of(number))
 
+    def link_at(self, pen: Pen, number: int, item: Item, point: FloatArray) -> int:
+        """Return the link that is nearest to a point, or -1 for the base; the pen has an empty scene."""
+        links, carrier, scene = list[int](), [-1], pen.scene
+
+        def carries(link: int) -> None:
+            links.extend(carrier * (len(scene.instances) - len(links)))
+            carrier[0] = link
+
+        draw(pen, item, self.shapes(pen, number, item["name"]), self._ends_of(number), carries)
+        carries(-1)
+        distances = [
+            distance((part.mesh.points @ part.matrix.T + part.place)[part.mesh.triangles], point)
+            for part in scene.instances
+        ]
+        return links[int(np.argmin(distances))] if distances else -1
+
     def _ends_of(self, tree: int) -> list[tuple[int, FloatArray]]:
         """Return the links that markers are on, and where, in the frames of the links."""
         if self._ends is None:
@@ -54,20 +72,46 @@ class Trees:
         return self._ends.get(tree, [])
 
 
+def distance(triangles: FloatArray, point: FloatArray) -> float:
+    """Return the distance of a point from the nearest of some triangles (n x 3 x 3)."""
+    found = [np.inf]
+    first, sides = triangles, np.roll(triangles, -1, axis=1) - triangles
+    along = np.einsum("nki,nki->nk", point - first, sides) / np.maximum(np.einsum("nki,nki->nk", sides, sides), TINY)
+    nearest = first + np.clip(along, 0, 1)[:, :, None] * sides
+    found.extend(np.linalg.norm(nearest - point, axis=2).min(axis=1))
+    normals = np.cross(sides[:, 0], sides[:, 1])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), TINY)
+    inside = normals.any(axis=1) & (
+        np.einsum("nki,nki->nk", np.cross(normals[:, None], sides), point - first) >= 0
+    ).all(axis=1)
+    found.extend(np.abs(np.einsum("ni,ni->n", point - first[:, 0], normals))[inside])
+    return float(min(found))
+
+
 def draw(
-    pen: Pen, item: Item, data: list[list[graphics_data.Shape]], ends: list[tuple[int, FloatArray]] | None = None
+    pen: Pen,
+    item: Item,
+    data: list[list[graphics_data.Shape]],
+    ends: list[tuple[int, FloatArray]] | None = None,
+    carries: Callable[[int], object] = lambda link: None,
 ) -> None:
-    """Draw the links and joints of a tree; links without graphics data reach to these ends, too."""
+    """Draw the links and joints of a tree; links without graphics data reach to these ends, too.
+
+    `carries` is called with the link, or -1 for the base, with which the parts that are drawn next move.
+    """
     frames = link_frames(pen, item)
     color, joint = pen.looks.color(item, "bodies.defaultColor"), rgba(pen.looks.setting("connectors.defaultColor"))
     thick, size = 0.008 * pen.looks.size, pen.looks.length("connectors.jointAxesLength", 0.04)
     base, settings = np.asarray(item["baseOffset"], float), pen.looks.setting("bodies.kinematicTree")
     for link, (place, rotation) in enumerate(frames):
+        carries(link)
         if data and item["VshowLinks"] and link < len(data):
             graphics_data.draw(pen, data[link], place, rotation)
         elif item["VshowLinks"]:
             parent = int(item["linkParents"][link])
+            carries(parent)
             pen.cylinder(frames[parent][0] if parent >= 0 else base, place, thick, color)
+            carries(link)
             if link not in item["linkParents"]:  # last link of a chain: to its center of mass
                 pen.cylinder(place, place + rotation @ np.asarray(item["linkCOMs"][link], float), thick, color)
             for _, end in (end for end in ends or [] if end[0] == link):

@@ -3,7 +3,7 @@ import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
-const SOURCES = ["axes.js", "data.js", "floor.js", "link.js", "live.js", "monitor.js", "motion.js", "notebook.js", "page.js", "panels.js", "panes.js", "picture.js", "plot.js", "shapes.js", "times.js", "view.js", "package.json", "package-lock.json"];
+const SOURCES = ["axes.js", "data.js", "floor.js", "grip.js", "link.js", "live.js", "monitor.js", "motion.js", "notebook.js", "page.js", "panels.js", "panes.js", "picture.js", "plot.js", "shapes.js", "times.js", "view.js", "package.json", "package-lock.json"];
 
 await build({
   entryPoints: ["page.js"],

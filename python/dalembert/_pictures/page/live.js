@@ -1,5 +1,6 @@
 // The live page: it shows what the viewer sends, tells when it has drawn it, and passes on keys, choices and views.
 import { joined, read } from "./data.js";
+import { Grip } from "./grip.js";
 import { Motion } from "./motion.js";
 import { Pane } from "./panes.js";
 import { Panels } from "./panels.js";
@@ -15,8 +16,8 @@ const PLANES = {
 };
 const NAMES = { 1: "x, y", 2: "x, z", 3: "y, z", 4: "y, x", 5: "z, x", 6: "z, y" };
 const KEYS = [
-  ...MOUSE, ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
-  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R", "forces; frames of nodes"], ["O", "perspective or parallel"],
+  ...MOUSE, ["ctrl or cmd, left button", "pull a body while a solver runs; wheel: stiffer, softer"], ["space", "pause or go on"], ["Q; escape", "stop the solver; close the page as well"], ["[ ]", "recorded state before, after"], ["A", "see all"],
+  ["N B C M L S", "nodes, bodies, connectors, markers, loads, sensors; with ctrl, alt or shift their numbers"], ["F; R, J", "forces; frames of nodes, of joints"], ["O", "perspective or parallel"],
   ["T", "faces, transparent faces, edges"], ["ctrl or alt, 1 to 6", "look along an axis; with shift from behind"], ["arrows; keypad", "move; turn"],
   [". ,", "zoom"], ["1 to 5", "draw every 0.02 to 100 s"], ["V", "settings"], ["F2", "keys go to the user function"], ["?", "this help"],
 ];
@@ -38,15 +39,18 @@ export class Live extends View {
       if (name === "details") this.pick(null);
       if (name === "outputs") this.send("plot", { drop: null });
     });
+    this.grip = new Grip(this);
     this.equip();
     this.controls.addEventListener("change", () => (this.turned ||= !this.led));
     this.reports = setInterval(() => this.report(), SENT);
-    for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event));
+    this.deaf = new AbortController();
+    for (const kind of ["keydown", "keyup"]) keys.addEventListener(kind, (event) => this.key(event), { signal: this.deaf.signal });
     link.start(this);
   }
 
   end() {
     clearInterval(this.reports);
+    this.deaf.abort();
     this.close();
     super.end();
   }
@@ -73,7 +77,7 @@ export class Live extends View {
     choice("view", [["home", "all (A)"], ...Object.entries(NAMES), ...Object.entries(NAMES).map(([n, name]) => [-n, `${name}, from behind`])],
       (value) => (value === "home" ? this.home() : this.plane(Math.abs(value), value < 0)));
     choice("views", [["one", "one"], ["four", "three more"]], (value) => this.split(value === "one" ? [] : this.sides()));
-    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"]],
+    choice("show", [...GROUPS.map(([key, name]) => [key, `${name} (${key.toUpperCase()})`]), ...GROUPS.map(([key, name]) => [`${key}#`, `numbers of ${name}`]), ["r", "frames of nodes (R)"], ["j", "frames of joints (J)"]],
       (value) => this.press(value[0], value.length > 1));
     button("items", "list of items: search, hide, isolate", () => this.panels.items(this));
     button("forces", "forces of loads, joints, connectors and contacts as arrows (F)", () => this.send("forces"));
@@ -98,6 +102,7 @@ export class Live extends View {
 
   // Show these other views: number, camera, plane that cuts.
   split(views) {
+    this.grip.release(); // perhaps in a view that ends
     for (const pane of this.panes) pane.end();
     this.panes = views.map(({ number, camera, clip }) => new Pane(this, number, camera, clip));
     this.place.classList.toggle("split", views.length > 0); // the bar of colors makes room
@@ -117,8 +122,9 @@ export class Live extends View {
 
   // A solution that the reader looks through, in front of what is live.
   async replay(data) {
-    this.close();
     const { head, arrays } = await read(data);
+    this.close(); // another one may have come meanwhile
+    if (this.ended) return;
     const place = element(this.place, "div", { className: "page replay" });
     this.motion = new Motion(place, head, arrays);
     element(this.motion.tools, "button", { textContent: "live", title: "back to the live view (Escape)", onclick: () => this.close() });
@@ -135,6 +141,7 @@ export class Live extends View {
   }
 
   closed(words) {
+    this.grip.drop(); // the viewer has released it
     this.state.textContent = this.stopped ? "closed" : words;
   }
 
@@ -163,8 +170,7 @@ export class Live extends View {
     this.times.at(head.time);
     this.panels.mark(head.time);
     this.measurePace(head.time);
-    this.words = [this.when(head.time), this.pace, this.forces].filter(Boolean).join("\n");
-    this.tell(this.distance);
+    this.caption();
     this.mark();
     this.wish();
     this.frames += 1;
@@ -209,6 +215,7 @@ export class Live extends View {
       notice: () => (this.notice.textContent = words.text),
       stopped: () => ((this.stopped = true), (this.state.textContent = "closed")),
       alive: () => this.send("alive"),
+      grip: () => this.grip.tell(words),
       details: () => this.picked != null && this.panels.details(words),
       outputs: () => this.panels.outputs(words.curves),
       settings: () => this.panels.settings(words.rows),
@@ -234,6 +241,12 @@ export class Live extends View {
     this.times.at(this.now);
     this.times.plays(plays);
     this.present.disabled = !back;
+  }
+
+  // What is below the time.
+  caption() {
+    this.words = [this.now == null ? "" : this.when(this.now), this.pace, this.forces, this.grip.words].filter(Boolean).join("\n");
+    this.tell(this.distance);
   }
 
   // Look as the viewer says; it need not be told.

@@ -32,6 +32,7 @@ export class Monitor {
       this.plots[i] ??= new Plot(this.grid, ...this.extent(words.plots.length));
       this.plots[i].set(data);
     });
+    for (const plot of this.plots.splice(words.plots.length)) plot.canvas.remove();
     this.updates += 1;
   }
 

@@ -49,14 +49,22 @@ export class Panels {
 
   // A slider, and a field, for a number of an item: {system, item, number, name}.
   slider(words, value, unit = "") {
-    const panel = this.open.sliders ?? this.panel("sliders", "parameters"), row = element(panel, "div", { className: "plotted" });
+    const panel = this.open.sliders ?? this.panel("sliders", "parameters"), key = JSON.stringify(words);
+    for (const old of panel.querySelectorAll(".plotted")) if (old.dataset.key === key) old.remove();
+    const row = element(panel, "div", { className: "plotted" });
+    row.dataset.key = key;
     element(row, "div", { textContent: `${words.item.toLowerCase()} ${words.number}: ${words.name}${unit && ` (${unit})`}` });
     const ends = value ? [Math.min(2 * value, 0), Math.max(2 * value, 0)] : [-1, 1], [min, max] = ends;
     const slider = element(row, "input", { type: "range", min, max, step: (max - min) / 1000, value });
     const field = element(row, "input", { type: "text", value: value.toPrecision(6) });
-    const tell = (now) => Number.isFinite(now) && this.send("parameter", { ...words, value: now });
+    let last = value;
+    const tell = (now) => this.send("parameter", { ...words, value: (last = now) });
     slider.oninput = () => ((field.value = Number(slider.value).toPrecision(6)), tell(Number(slider.value)));
-    field.onchange = () => ((slider.value = field.value), tell(Number(field.value)));
+    field.onchange = () => {
+      const now = field.value.trim() ? Number(field.value) : NaN;
+      if (Number.isFinite(now)) (slider.value = now), tell(now);
+      else field.value = last.toPrecision(6); // it is no number
+    };
     element(row, "button", { className: "close", textContent: "×", title: "remove", onclick: () => (row.remove(), panel.querySelector(".plotted") ?? this.close("sliders")) });
   }
 
@@ -106,6 +114,7 @@ export class Panels {
   // All items of a view: a search, and for each item whether it is shown, transparent, or alone.
   items(view) {
     const words = this.open.items?.querySelector("input").value ?? "", panel = this.panel("items", "items");
+    panel.shown = JSON.stringify(view.items);
     const opened = (this.opened ??= new Set(["Object"])), list = document.createElement("div");
     const refill = () => (fill(), view.canvas.focus());
     const fill = () => {

@@ -3,6 +3,7 @@ const SHOWN = ".pane, .axes, .contour span, .time, .labels span, .contour div, .
 
 const RATE = 30; // pictures of a film per second, at most
 const BITS = 8e6; // per second of a film
+const KEPT = 60000; // ms that a film is kept for the browser to save it
 const FILMS = ["video/mp4", "video/webm"]; // the first that the browser can make
 
 export function download(href, name) {
@@ -17,7 +18,11 @@ export class Film {
     this.type = FILMS.find((type) => MediaRecorder.isTypeSupported(type));
     this.recorder = new MediaRecorder(this.made.captureStream(RATE), { mimeType: this.type, videoBitsPerSecond: BITS });
     this.recorder.ondataavailable = ({ data }) => this.parts.push(data);
-    this.recorder.onstop = () => download(URL.createObjectURL(new Blob(this.parts, { type: this.type })), `film.${this.type.slice(6)}`);
+    this.recorder.onstop = () => {
+      const address = URL.createObjectURL(new Blob(this.parts, { type: this.type }));
+      download(address, `film.${this.type.slice(6)}`);
+      setTimeout(() => URL.revokeObjectURL(address), KEPT);
+    };
     this.recorder.start();
   }
 
@@ -27,6 +32,7 @@ export class Film {
 
   end() {
     this.recorder.stop();
+    for (const track of this.recorder.stream.getTracks()) track.stop();
   }
 }
 

@@ -4,8 +4,11 @@ import { element } from "./view.js";
 const COLORS = ["#3359e6", "#d92626", "#26a633", "#c77700", "#8a3fd1", "#00838f"];
 const LEFT = 64, RIGHT = 12, TOP = 22, BOTTOM = 36;
 const NEAR = 20; // pixels from a point at which it is told
+const ROUND_OFF = 1e-11; // of numbers: axes are not narrower than that, and their ticks differ
 
 const power = (value) => 10 ** Math.floor(Math.log10(value));
+
+const isWide = (low, high) => high - low > ROUND_OFF * Math.max(Math.abs(low), Math.abs(high));
 
 function text(value) {
   const size = Math.abs(value);
@@ -69,7 +72,7 @@ export class Plot {
     if (from && Math.abs(from[0] - to[0]) > 5 && Math.abs(from[1] - to[1]) > 5) {
       const [a, b] = [from[0], to[0]].map((x) => this.back[0](x)).sort((p, q) => p - q);
       const [c, d] = [from[1], to[1]].map((y) => this.back[1](y)).sort((p, q) => p - q);
-      this.window = [a, b, c, d];
+      if (isWide(a, b) && isWide(c, d)) this.window = [a, b, c, d];
     }
     this.draw();
   }
@@ -88,8 +91,8 @@ export class Plot {
         if (number > high) high = number;
       }
     if (low > high) return [0, 1];
-    const more = high > low ? 0.03 * (high - low) : Math.max(0.5 * Math.abs(low), 0.5);
-    return name === "x" && high > low ? [low, high] : [low - more, high + more];
+    const wide = isWide(low, high), more = wide ? 0.03 * (high - low) : Math.max(0.5 * Math.abs(low), 0.5);
+    return name === "x" && wide ? [low, high] : [low - more, high + more];
   }
 
   draw() {

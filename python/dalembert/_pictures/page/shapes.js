@@ -66,12 +66,14 @@ function geometry(entry, arrays) {
   return made;
 }
 
+// The corners of faces with the edges between them.
+function frame(entry, arrays, position) {
+  return new BufferGeometry().setAttribute("position", position).setIndex(new BufferAttribute(arrays[entry.edges], 1));
+}
+
 // Edges move with their faces; they are shown where graphics data ask for them, or when the reader does.
-function edges(entry, arrays, position) {
-  const made = new BufferGeometry();
-  made.setAttribute("position", position);
-  made.setIndex(new BufferAttribute(arrays[entry.edges], 1));
-  const rims = new LineSegments(made, new LineBasicMaterial({ color: 0x202020, transparent: true, opacity: 0.7 }));
+function edges(entry, shape) {
+  const rims = new LineSegments(shape, new LineBasicMaterial({ color: 0x202020, transparent: true, opacity: 0.7 }));
   rims.visible = entry.marked;
   rims.userData = { rim: true, marked: entry.marked };
   rims.frustumCulled = false;
@@ -89,8 +91,10 @@ function rigid(entry, arrays) {
   const shape = geometry(entry, arrays), count = entry.items.length, matrix = new Matrix4();
   const made = new InstancedMesh(shape, material(entry.color, entry.colors != null, entry.normals == null), count);
   const rims = [];
-  if (arrays[entry.edges].length && count <= 200)
-    for (let i = 0; i < count; ++i) rims.push(edges(entry, arrays, shape.getAttribute("position")));
+  if (arrays[entry.edges].length && count <= 200) {
+    const shared = frame(entry, arrays, shape.getAttribute("position"));
+    for (let i = 0; i < count; ++i) rims.push(edges(entry, shared));
+  }
   for (const rim of rims) rim.matrixAutoUpdate = false;
   made.frustumCulled = false;
   made.userData = {
@@ -134,7 +138,7 @@ function deformed(entry, arrays) {
       shape.boundingSphere = null;
     },
   };
-  const rims = edges(entry, arrays, position);
+  const rims = edges(entry, frame(entry, arrays, position));
   veil(made, entry.items, [rims]);
   return [made, rims];
 }
@@ -194,6 +198,7 @@ export function lines(colors, items) {
       const needed = 2 * counts.reduce((sum, count) => sum + Math.max(count - 1, 0), 0), shape = made.geometry;
       if (needed > room) {
         room = Math.max(needed, 2 * room);
+        shape.dispose(); // what the graphics card has of it
         for (const name of ["position", "color"]) shape.setAttribute(name, new BufferAttribute(new Float32Array(3 * room), 3));
       }
       shape.setDrawRange(0, 0);

@@ -2,7 +2,7 @@
 // and the live one, are views. Names of items are set as text, never as HTML. Nothing is loaded from anywhere.
 import {
   AmbientLight, Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, HemisphereLight, Line, LineBasicMaterial, Matrix4, PerspectiveCamera,
-  Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { axes } from "./axes.js";
@@ -16,6 +16,8 @@ const ROUND_OFF = 1e-6; // of a distance, in its components
 const NARROW = 640; // pixels of a page on which all panels are in one column
 const AGAIN = 20; // pictures until it is checked again that the floor is below everything
 const CLICK = 4; // pixels that the mouse may move in a click
+const RED = 0xcc0d0d; // of what readers have marked
+const END = 6; // pixels of the ends of lines that readers have drawn
 
 export const MOUSE = [
   ["left, right button", "rotate, move"], ["wheel", "zoom"], ["click", "select an item"], ["shift and two clicks", "measure a distance"],
@@ -137,7 +139,7 @@ export class View {
     if (this.floor && this.upwards === this.floor.up && !this.floor.pierced(box) && !this.bare) return;
     if (this.floor) this.scene.remove(this.floor.object), this.floor.end();
     const far = this.floor && this.upwards === this.floor.up ? this.floor.box : box;
-    this.floor = this.bare || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
+    this.floor = this.bare || !(box.min.distanceTo(box.max) > 0) || box.isEmpty() ? null : new Floor(far.union(box), this.upwards ?? 2, this.renderer.shadowMap.enabled);
     if (this.floor) this.scene.add(Object.assign(this.floor, { box: far }).object);
     this.wish();
   }
@@ -161,9 +163,10 @@ export class View {
     this.mark();
   }
 
-  // The panel of all items, if it is open.
+  // The panel of all items, if it is open, and others are drawn now: readers may be at its search.
   list() {
-    if (this.panels?.open.items) this.panels.items(this);
+    const { items } = this.panels?.open ?? {};
+    if (items && items.shown !== JSON.stringify(this.items)) this.panels.items(this);
   }
 
   paint(background) {
@@ -210,17 +213,21 @@ export class View {
     this.range = null;
     if (!contour) return;
     element(this.scale, "div", { textContent: contour.name });
-    const values = [];
+    const values = [], rows = [];
     contour.colors.toReversed().forEach((color, i) => {
       const row = element(this.scale, "div", { className: "row" });
+      rows.push(row);
       element(row, "span").style.background = `rgb(${color.join(",")})`;
       if (i % 3 === 0) values.push([element(row, "i"), i / (contour.colors.length - 1)]);
     });
     this.range = (low, high) => {
-      const least = 1e-9 * Math.max(Math.abs(low), Math.abs(high)); // less is what rounding leaves of zero
+      const size = Math.max(Math.abs(low), Math.abs(high)), least = 1e-9 * size; // less is what rounding leaves of zero
+      const constant = high === low, step = (high - low) / (values.length - 1);
+      const digits = constant ? 0 : Math.min(Math.max(Math.ceil(Math.log10(size / Math.abs(step))) + 2, 4), 15); // numbers differ
+      rows.forEach((row, i) => (row.hidden = constant && i < rows.length - 1)); // the lowest color is that of all
       for (const [place, part] of values) {
-        const number = high + (low - high) * part;
-        place.textContent = Math.abs(number) < least ? "0" : number.toPrecision(4);
+        const number = constant ? low : high + (low - high) * part;
+        place.textContent = constant ? Number(low.toPrecision(6)) : Math.abs(number) < least ? "0" : number.toPrecision(digits);
       }
     };
     if (range) this.range(...range);
@@ -258,6 +265,7 @@ export class View {
 
   dark() {
     this.isDark = !this.isDark;
+    if (this.texts) this.write(this.texts, this.places);
     this.paint();
   }
 
@@ -274,14 +282,20 @@ export class View {
     this.wish();
   }
 
-  // What is at a place of the window: number of the item, point, distance; null if there is nothing. `pane`: as it is seen there.
-  hit(x, y, pane) {
+  // From the reader through a place of the window; `pane`: as it is seen there.
+  ray(x, y, pane) {
     const box = (pane?.window ?? this.canvas).getBoundingClientRect(), ray = new Raycaster();
     ray.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), (pane ?? this).camera);
+    return ray;
+  }
+
+  // What is at a place of the window: number of the item, point, distance; null if there is nothing. `kinds`: of items that count.
+  hit(x, y, pane, kinds) {
     const cuts = pane ? pane.clip : this.renderer.clippingPlanes;
-    const hits = ray.intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
+    const hits = this.ray(x, y, pane).intersectObjects(this.objects.filter((object) => object.isMesh && object.material.visible), false);
     const item = ({ object, instanceId }) => object.userData.items[instanceId ?? 0];
-    const found = hits.find((hit) => this.opacity(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
+    const counts = (number) => this.opacity(number) && (!kinds || kinds.includes(this.items[number]?.[0]));
+    const found = hits.find((hit) => counts(item(hit)) && cuts.every((plane) => plane.distanceToPoint(hit.point) >= 0));
     if (!found) return null;
     return { number: item(found), point: found.point, distance: found.distance };
   }
@@ -337,16 +351,29 @@ export class View {
     this.wish();
   }
 
+  // Show something besides the objects of the scene, in the place of what had this name before.
+  exchange(name, object) {
+    const old = this[name];
+    if (old) this.scene.remove(old), old.traverse(({ geometry, material }) => (geometry.dispose(), material.dispose()));
+    this[name] = object;
+    if (object) this.scene.add(object);
+    this.wish();
+  }
+
+  // A line with its ends in front of everything, or none.
+  join(name, points) {
+    if (!points) return this.exchange(name, null);
+    const shape = new BufferGeometry().setFromPoints(points), look = { color: RED, depthTest: false };
+    const made = new Line(shape, new LineBasicMaterial(look));
+    made.add(new Points(shape, new PointsMaterial({ ...look, size: END * window.devicePixelRatio, sizeAttenuation: false })));
+    made.traverse((part) => Object.assign(part, { renderOrder: 1, frustumCulled: false }));
+    this.exchange(name, made);
+  }
+
   // A box around what is picked.
   mark() {
-    if (this.box) this.scene.remove(this.box);
-    this.box = null;
-    this.wish();
-    if (this.picked == null || !this.marks || !this.opacity(this.picked)) return;
-    const around = this.around(this.picked);
-    if (around.isEmpty()) return;
-    this.box = new Box3Helper(around, 0xcc0d0d);
-    this.scene.add(this.box);
+    const around = this.picked == null || !this.marks || !this.opacity(this.picked) ? new Box3() : this.around(this.picked);
+    this.exchange("box", around.isEmpty() ? null : new Box3Helper(around, RED));
   }
 
   // The smallest box around an item.
@@ -372,14 +399,10 @@ export class View {
   }
 
   measure(hit) {
-    if (this.ruler) this.scene.remove(this.ruler);
-    this.ruler = null;
     if (!hit) this.ends = [];
     else this.ends = this.ends.length === 1 ? [this.ends[0], hit.point] : [hit.point];
+    this.join("ruler", this.ends.length === 2 ? this.ends : null);
     if (this.ends.length === 2) {
-      this.ruler = new Line(new BufferGeometry().setFromPoints(this.ends), new LineBasicMaterial({ color: 0xcc0d0d, depthTest: false }));
-      this.ruler.renderOrder = 1;
-      this.scene.add(this.ruler);
       const [a, b] = this.ends, along = b.clone().sub(a), length = along.length();
       const parts = [...along].map((part) => (Math.abs(part) < ROUND_OFF * length ? "0" : part.toPrecision(4)));
       this.tell(`distance ${length.toPrecision(6)} m   (${parts.join(", ")})`);
@@ -403,7 +426,7 @@ export class View {
       if (label.textContent !== text) label.textContent = text;
       label.style.color = this.isDark ? "inherit" : `rgb(${255 * red}, ${255 * green}, ${255 * blue})`;
     }
-    this.places = places;
+    Object.assign(this, { texts, places });
   }
 
   // Texts at one point stand below each other.
@@ -439,11 +462,13 @@ export class View {
   end() {
     this.ended = true;
     this.watcher.disconnect();
+    if (this.film) this.shoot();
     this.controls.dispose();
     for (const pane of this.panes) pane.end();
     this.floor?.end();
     this.bare = true;
     this.replace([], []);
+    for (const name of ["box", "ruler", "string"]) this.exchange(name, null);
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
