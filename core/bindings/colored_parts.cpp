@@ -35,8 +35,8 @@ bool ColoredParts::find(const MovingParts& moving) {
     range = range ? both(*range, *own) : *own;
   }
   NumberRange now = rule_.automatic && range ? *range : rule_.limits;
-  if (rule_.automatic && range && !(now.high > now.low))
-    now.high = now.low + std::max(std::abs(now.low), 1.0) * least_range;
+  if (rule_.automatic && now.high - now.low <= round_off * std::max(std::abs(now.low), std::abs(now.high)))
+    now.high = now.low;
   rule_.shown = rule_.grows ? both(now, rule_.shown) : now;
   return true;
 }

@@ -62,6 +62,7 @@ std::optional<NumberRange> range_of(std::span<const double> numbers) {
 
 void contour_shades(std::span<const double> numbers, double low, double high, std::span<const std::uint8_t> table,
                     std::uint8_t* bytes) {
+  if (low == high) high += std::max(std::abs(low), 1.0) * least_range;
   const std::size_t above = table.size() / bytes_of_shade - 1;
   const auto steps = static_cast<double>(above - 2);
   const double scale = steps / (high - low), first = -tolerance * steps, last = steps - first;

@@ -73,16 +73,11 @@ def _keys(looks: Looks) -> tuple[Shade, ...]:
 
 def colors(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> FloatArray:
     """Return a color (RGBA) for each number: five of them in equal parts of the range, others beyond it."""
-    low, high = widened(limits)
-    result = _colored((np.asarray(values, float) - low) / (high - low), _keys(looks))
+    low, high = limits
+    width = high - low or LEAST_RANGE * max(abs(low), 1.0)  # one number has the lowest color
+    result = _colored((np.asarray(values, float) - low) / width, _keys(looks))
     result[:, 3] = opacity(looks)
     return result
-
-
-def widened(limits: tuple[float, float]) -> tuple[float, float]:
-    """Return the range with which colors are computed: if all numbers are the same, they have the lowest color."""
-    low, high = limits
-    return limits if high != low else (low, low + LEAST_RANGE * max(abs(low), 1.0))
 
 
 def palette(looks: Looks) -> list[list[int]]:
@@ -112,7 +107,7 @@ STEPS = 1024  # steps of the range, for many numbers
 
 def shades(looks: Looks, values: FloatArray, limits: tuple[float, float]) -> npt.NDArray[np.uint8]:
     """Return colors as bytes (RGB), by a table that is accurate to rounding."""
-    return _core._shades(values, *widened(limits), table(looks))
+    return _core._shades(values, *limits, table(looks))
 
 
 def table(looks: Looks) -> npt.NDArray[np.uint8]:

@@ -198,9 +198,7 @@ class Flow:
             scene.labels.append(Label(place, text.text, text.color, text.size, text.shift))
         self._maker.draw_again(scene, places, self._loose)
         self._changing = [part for part in scene.instances if part.is_seen()]
-        low, high = scene.value_range
-        constant = bool(scene.value_name) and low == high  # _MovingParts would widen this range
-        drawn = constant or scene.spheres or scene.lines or len(scene.labels) > len(texts) or self._maker.has_traces()
+        drawn = scene.spheres or scene.lines or len(scene.labels) > len(texts) or self._maker.has_traces()
         known = {part.item for part in scene.instances if self._is_told(part)}
         self._complete = not drawn and known.issuperset(self._loose) and all(map(self._is_told, scene.instances))
         return scene

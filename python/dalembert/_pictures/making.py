@@ -172,7 +172,7 @@ class SceneMaker:
         with self.looks.kept():
             colors = Contour(self.looks)
             shown, grows = self._range, self._range is not None and not self.looks.setting("contour.reduceRange")
-            limits, table = contour.widened(colors.fixed_range()), contour.table(self.looks)
+            limits, table = colors.fixed_range(), contour.table(self.looks)
             automatic = bool(self.looks.setting("contour.automaticRange"))
             return colors.variable, colors.component, automatic, bool(grows), limits, shown or limits, table
 

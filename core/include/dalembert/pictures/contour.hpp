@@ -14,7 +14,9 @@ void contour_numbers(std::span<const double> outputs, std::size_t size, int comp
 struct NumberRange {
   double low = 0, high = 1;
 };
-constexpr double least_range = 1e-6;  // relative to the larger of 1 and the common number
+constexpr double round_off =
+    1e-13;  // relative width of a range that is one number: outputs are sums of some hundred products
+constexpr double least_range = 1e-6;  // width for the colors of one number, relative to the larger of 1 and this number
 // Range of numbers; nullopt if there are none, or one is not finite.
 std::optional<NumberRange> range_of(std::span<const double> numbers);
 
