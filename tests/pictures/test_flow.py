@@ -404,17 +404,20 @@ def test_settings_stay_as_they_are_while_a_scene_is_made(SC: Any) -> None:
     assert seen.setting("nodes.defaultSize") == pytest.approx(0.3)
 
 
-def test_a_range_that_is_one_number_is_not_left_to_the_core(SC: Any, mbs: Any) -> None:
-    """It widens such a range, which readers would see; as soon as there are two numbers, it moves the parts."""
+def test_the_core_keeps_a_range_that_is_one_number(SC: Any, mbs: Any) -> None:
     for x in range(2):
         node = mbs.AddNode(exu.NodePoint(referenceCoordinates=[x, 0, 0]))
         mbs.AddObject(exu.ObjectMassPoint(physicsMass=1, nodeNumber=node))
     mbs.Assemble()
     contour = SC.visualizationSettings.contour
     contour.outputVariable, contour.outputVariableComponent = exu.OutputVariableType.Displacement, 1
+    contour.reduceRange = True
     SC.visualizationSettings.bodies.show = False
-    flow = Flow(SceneMaker(mbs, SC.visualizationSettings))
-    for low in (0.0, -1.0):
-        mbs.systemData.SetODE2Coordinates([0, low, 0, 0, 0, 0], exu.ConfigurationType.Visualization)
-        assert flow.scene().value_range == (low, 0.0)
-        assert (flow.moving() is None) == (low == 0.0)
+    flow, stage = Flow(SceneMaker(mbs, SC.visualizationSettings)), Stage()
+    messages(stage, flow.scene())
+    for y in ([0, -1], [0.5, 0.5], [0.5, 0.5 + 1e-15], [-2, 3]):
+        mbs.systemData.SetODE2Coordinates([0, y[0], 0, 0, y[1], 0], exu.ConfigurationType.Visualization)
+        parts = flow.moving()
+        assert parts is not None and stage.moved(flow) is not None
+        assert parts.range == pytest.approx((min(y), max(y)), rel=1e-14)
+        assert (parts.range[0] == parts.range[1]) == (y[0] == 0.5)
