@@ -31,6 +31,7 @@ class Rebounds {
     double time = 0;
     Switch what{""};
   };
+  std::vector<Switch> before_, after_;  // memory of the last step
   std::vector<Rebound> rebounds_;  // by switch of items
 };
 

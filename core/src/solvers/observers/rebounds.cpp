@@ -27,7 +27,9 @@ bool is_open(const Switch& at) { return at.direction > 0; }
 
 [[gnu::noinline]] void Rebounds::watch(System& system, const Conditions& conditions, const SolverIterationData& it) {
   const State &start = system.state(ConfigurationType::StartOfStep), &now = system.state(ConfigurationType::Current);
-  std::vector<Switch> before, after;
+  std::vector<Switch>&before = before_, &after = after_;
+  before.clear();
+  after.clear();
   system.find_switches(start, conditions, before);
   system.find_switches(now, conditions, after);
   rebounds_.resize(std::max(rebounds_.size(), after.size()));
