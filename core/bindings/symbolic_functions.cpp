@@ -480,7 +480,9 @@ std::vector<RecordedConstant> constants_named(const Model& model, ItemKind kind,
 std::string own_constant(const Model& model, ItemKind kind, int number, std::string_view name) {
   const Item& item = model.item(kind, number);
   for (const Row& row : item.type->rows) {
-    if (has_own(recorded_in(item, row), std::string(name))) return std::string(row.name) + "." + std::string(name);
+    const SymbolicFunction* function = recorded_in(item, row);
+    if (function != nullptr && has_own(function, std::string(name)))
+      return std::string(row.name) + "." + std::string(name);
   }
   return "";
 }

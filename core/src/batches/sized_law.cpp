@@ -58,6 +58,12 @@ void LawOfBody::read(const SizedLaw& law, bool with_residual) {
   }
 }
 
+bool LawOfBody::take_force(const SizedLaw& law) {
+  if (law.force_vector == nullptr || law.force_vector->size() != force_vector_.size()) return false;
+  std::ranges::copy(*law.force_vector, force_vector_.begin());
+  return true;
+}
+
 bool LawOfBody::same_places(const LawOfBody& other) const {
   const auto alike = [](const Term& a, const Term& b) { return a.matrix.same_places(b.matrix); };
   return full_ == other.full_ && std::ranges::equal(terms_, other.terms_, alike);
@@ -163,16 +169,18 @@ std::string matrix_of(int rows, int columns) {
 }  // namespace
 
 void check_sizes(const SizedLaw& law, int coordinates, std::string_view called, const ItemLabel& item) {
-  const std::string n = std::to_string(coordinates), nodes = ", for the " + n + " " + std::string(called) + ", or none";
+  const auto for_nodes = [&] {
+    return ", for the " + std::to_string(coordinates) + " " + std::string(called) + ", or none";
+  };
   for (const ConstantMatrix& m : law.matrices)
     if (!m.empty() && (m.rows != coordinates || m.columns != coordinates))
-      refuse(ErrorKind::value,
-             {item, m.parameter, "", matrix_of(m.rows, m.columns), matrix_of(coordinates, coordinates) + nodes, ""});
+      refuse(ErrorKind::value, {item, m.parameter, "", matrix_of(m.rows, m.columns),
+                                matrix_of(coordinates, coordinates) + for_nodes(), ""});
   if (law.force_vector != nullptr && !law.force_vector->empty() &&
       law.force_vector->size() != static_cast<std::size_t>(coordinates))
     refuse(ErrorKind::value,
            {item, law.force_parameter, "", "a vector of length " + std::to_string(law.force_vector->size()),
-            "a vector of length " + n + nodes, ""});
+            "a vector of length " + std::to_string(coordinates) + for_nodes(), ""});
 }
 
 void check_size(const char* parameter, const DynamicMatrix<double>& m, int rows, int columns, const ItemLabel& item,

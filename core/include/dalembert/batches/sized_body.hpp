@@ -32,6 +32,14 @@ class SizedBodyBatch final : public Term {
     make_room(work_, renewed);
     entries_[entry] = std::move(renewed);
   }
+  // A new force vector leaves matrices and coordinates as they are.
+  void refresh_row(int entry, const void* record, const Row& row) override {
+    const auto& parameters = static_cast<const Record*>(record)->parameters;
+    const SizedLaw law = B::law(parameters);
+    if (has_residual<B> || row.name != law.force_parameter || !entries_[entry].law.take_force(law))
+      return refresh(entry, record);
+    entries_[entry].parameters = &parameters;
+  }
   void visit(BlockVisitor& visitor, const Ports&) const override {
     for (const Entry& e : entries_) e.law.visit(visitor);
   }

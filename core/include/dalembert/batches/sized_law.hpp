@@ -18,6 +18,7 @@ class LawOfBody {
   void place(int order, const Placement& placement, int begin);
   // `with_residual`: the tangent is full anyway.
   void read(const SizedLaw& law, bool with_residual);
+  bool take_force(const SizedLaw& law);  // the constant vector only; false: it has another length
 
   int item() const { return item_; }
   const std::vector<int>& dofs() const { return dofs_; }
