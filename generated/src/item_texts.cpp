@@ -1048,10 +1048,11 @@ constexpr std::array<OutputText, 6> ObjectConnectorLinearSpringDamper_outputs{{
     {"Displacement", 3, "m", "global position of marker m1 relative to marker m0"},
 }};
 
-constexpr std::array<std::string_view, 16> ObjectConnectorReevingSystemSprings_rows{
+constexpr std::array<std::string_view, 17> ObjectConnectorReevingSystemSprings_rows{
     "name of the item, unique within its kind; if empty, a name is made from kind and number",
     "rigid body markers along the rope: the first and the last are its ends, those between carry sheaves or deflection points; if ``hasCoordinateMarkers`` is set, two coordinate markers follow",
     "True: the last two markers are coordinate markers that add rope at the start and at the end",
+    "True: the bodies of the first and the last marker are pulleys that turn with the rope. The coordinate markers measure their rotations, without forces on these coordinates: the rope acts on the pulleys where it touches them",
     "factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch",
     "axial stiffness of the rope, modulus times cross section; divided by the length it is the stiffness of the rope",
     "axial damping of the rope; divided by the length it is the damping coefficient of the rope",

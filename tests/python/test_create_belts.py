@@ -76,6 +76,16 @@ def test_the_slack_span_carries_nothing() -> None:
     assert -0.1001 < tension[0] < 0
 
 
+def test_joints_of_pulleys_bear_the_pull() -> None:
+    """Both spans of length l pull with the same force, inclined to the line of centers: cos = l / d."""
+    pull = 200.0
+    model, pulleys, _ = drive(pretension=pull)
+    solution = model.solve(0.01, 1e-3)
+    along = 2 * pull * np.sqrt(1 - ((RADII[1] - RADII[0]) / DISTANCE) ** 2)
+    for joint, pulley, force in zip(model.joints, pulleys, (-along, along), strict=True):
+        np.testing.assert_allclose(solution[joint].force_on(pulley)[-1], [force, 0, 0], rtol=0, atol=1e-9 * along)
+
+
 def test_energy_is_kept_on_a_moving_carrier() -> None:
     """A frame swings, with both pulleys on it, and one of them spins: gravity, springs and motion exchange energy."""
     model = db.Model()

@@ -3160,6 +3160,8 @@ class ObjectConnectorReevingSystemSprings(_Object):
     def markerNumbers(self, value: Sequence[MarkerIndex | int | str]) -> None: ...
     hasCoordinateMarkers: bool
     """True: the last two markers are coordinate markers that add rope at the start and at the end"""
+    turningEnds: bool
+    """True: the bodies of the first and the last marker are pulleys that turn with the rope. The coordinate markers measure their rotations, without forces on these coordinates: the rope acts on the pulleys where it touches them"""
     @property
     def coordinateFactors(self) -> Array:
         """factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch [2; various]"""
@@ -3199,6 +3201,7 @@ class ObjectConnectorReevingSystemSprings(_Object):
         name: str = '',
         markerNumbers: Sequence[MarkerIndex | int | str] = [-1, -1],
         hasCoordinateMarkers: bool = False,
+        turningEnds: bool = False,
         coordinateFactors: ArrayLike = [1.0, 1.0],
         stiffnessPerLength: float = 0.0,
         dampingPerLength: float = 0.0,

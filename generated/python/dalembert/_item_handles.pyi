@@ -5185,6 +5185,16 @@ class ObjectConnectorReevingSystemSprings(ObjectHandle):
     @hasCoordinateMarkers.setter
     def hasCoordinateMarkers(self, value: bool) -> None: ...
     @property
+    def turning_ends(self) -> bool:
+        """True: the bodies of the first and the last marker are pulleys that turn with the rope. The coordinate markers measure their rotations, without forces on these coordinates: the rope acts on the pulleys where it touches them"""
+    @turning_ends.setter
+    def turning_ends(self, value: bool) -> None: ...
+    @property
+    def turningEnds(self) -> bool:
+        """True: the bodies of the first and the last marker are pulleys that turn with the rope. The coordinate markers measure their rotations, without forces on these coordinates: the rope acts on the pulleys where it touches them"""
+    @turningEnds.setter
+    def turningEnds(self, value: bool) -> None: ...
+    @property
     def coordinate_factors(self) -> Array:
         """factors of the two coordinate markers: 1 for lengths, a radius (m) for the angle of a winch [2; various]"""
     @coordinate_factors.setter

@@ -16,10 +16,11 @@ namespace object_connector_reeving_system_springs {
 
 using Record = ObjectConnectorReevingSystemSpringsRecord;
 
-constexpr std::array<Row, 16> rows{{
+constexpr std::array<Row, 17> rows{{
     {.name = "name", .storage = Storage::text, .offset = offsetof(Record, name), .role = Role::name},
     {.name = "markerNumbers", .storage = Storage::markers, .offset = offsetof(Record, parameters.markerNumbers), .role = Role::parameter, .needs_assemble = true},
     {.name = "hasCoordinateMarkers", .storage = Storage::boolean, .offset = offsetof(Record, parameters.hasCoordinateMarkers), .role = Role::parameter},
+    {.name = "turningEnds", .storage = Storage::boolean, .offset = offsetof(Record, parameters.turningEnds), .role = Role::parameter},
     {.name = "coordinateFactors", .storage = Storage::vector2, .offset = offsetof(Record, parameters.coordinateFactors), .role = Role::parameter, .unit = "various"},
     {.name = "stiffnessPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.stiffnessPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "N"},
     {.name = "dampingPerLength", .storage = Storage::real, .offset = offsetof(Record, parameters.dampingPerLength), .role = Role::parameter, .check = Check::non_negative, .unit = "Ns"},

@@ -186,11 +186,10 @@ def _data_do_not_vary(times: FloatArray, states: Rows, h: float, derivatives: An
     data = slice(states.width - nd, None)
     ends = states[part].copy()
     ends[:, data] = states[part.start - 1 : part.stop - 1][:, data]
-    still = ends.copy()
-    still[:, 2 * n : 3 * n] = 0.0
     residuals = derivatives.residuals(ends, times[part], h)
-    terms = np.abs(derivatives.residuals(still, times[part], h))[:, :n].max(axis=1, initial=0.0)
-    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * np.maximum(terms, 1e-9)
+    unbalanced = np.abs(residuals)[:, :n].max(axis=1, initial=0.0) > _BALANCED * _forces(
+        derivatives, ends, times[part], h
+    )
     if np.any(unbalanced):
         i = int(np.argmax(unbalanced))
         _check_balance(derivatives, ends[i], float(times[part.start + i]), h, mbs)
@@ -198,14 +197,22 @@ def _data_do_not_vary(times: FloatArray, states: Rows, h: float, derivatives: An
     return bool(np.all(derivatives.residuals(ends, times[part], h) == residuals))
 
 
+def _forces(derivatives: Any, states: FloatArray, times: FloatArray, h: float) -> FloatArray:
+    """Return the size of the forces in each state, which may balance each other: applied ones, and with reactions."""
+    n, first_data = derivatives.sizes[0], states.shape[1] - derivatives.sizes[3]
+    still = states.copy()
+    still[:, 2 * n : 3 * n] = 0.0
+    applied = still.copy()
+    applied[:, first_data - derivatives.sizes[2] : first_data] = 0.0  # multipliers
+    sums = [np.abs(derivatives.residuals(each, times, h))[:, :n].max(axis=1, initial=0.0) for each in (still, applied)]
+    return np.maximum(np.maximum(*sums), 1e-9)
+
+
 def _check_balance(derivatives: Any, z: FloatArray, time: float, h: float, mbs: Any) -> None:
     """Refuse a step that was not solved with the data coordinates of its start."""
     n = derivatives.sizes[0]
     residual = np.abs(derivatives.residual(z, time, h))[:n]
-    still = z.copy()
-    still[2 * n : 3 * n] = 0.0
-    terms = np.abs(derivatives.residual(still, time, h))[:n].max(initial=0.0)
-    if residual.max(initial=0.0) > _BALANCED * max(terms, 1e-9):
+    if residual.max(initial=0.0) > _BALANCED * _forces(derivatives, z[None], np.array([time]), h)[0]:
         raise NotDifferentiable(
             "its history, such as of contact or friction, has changed within the step",
             item=_item_with_history(mbs),

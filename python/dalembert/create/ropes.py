@@ -190,8 +190,8 @@ def CreateBelt(
     """Add a massless elastic belt that runs around pulleys without slip, as a toothed belt or a chain does.
 
     The bodies are pulleys, in their order along the belt, which comes back to the first one. Revolute joints hold them
-    on one carrier, which may move: the ground or a frame. The pull of the belt acts on the carrier, at the points where
-    the belt touches the pulleys: it is not a part of the forces of these joints, and does not bend elastic bearings.
+    on one carrier, which may move: the ground or a frame. The belt acts on the pulleys where it touches them, so that
+    the forces of these joints contain its pull.
 
     Along the belt, it turns about the axis at pulleys of positive radius, and about the opposite one at negative radii,
     as in a crossed belt or at idlers outside. Each span between two pulleys has a tension of its own: the pretension at
@@ -216,11 +216,12 @@ def CreateBelt(
         expected = "pulleys in the order in which the belt turns about the axis; opposite radii reverse it"
         raise argument_error(function, "bodyNumbers", expected, bodyNumbers)
     _require_axes_of_joints(mbs, function, carrier, bodyNumbers, points, unit)
-    axes, local_axes = _axes(mbs, axis, turns, [carrier] * count)
+    axes, local_axes = _axes(mbs, axis, turns, bodyNumbers)
+    _, carrier_axes = _axes(mbs, axis, turns, [carrier] * count)
     centers, angles = [], []
     for i, pulley in enumerate(bodyNumbers):
         label = f"Marker{i}:{name}" if name else ""
-        centers.append(_add_marker(mbs, label, carrier, points[i]))
+        centers.append(_add_marker(mbs, label, pulley, points[i]))
         turned = mbs.AddNode(items.NodeGenericData(numberOfDataCoordinates=1, initialCoordinates=[0]))
         angles.append(
             mbs.AddMarker(
@@ -228,7 +229,7 @@ def CreateBelt(
                     name=f"{label}:angle" if name else "",
                     bodyNumbers=[carrier, pulley],
                     nodeNumber=turned,
-                    axis0=local_axes[i],
+                    axis0=carrier_axes[i],
                 )
             )
         )
@@ -242,6 +243,7 @@ def CreateBelt(
                     name=f"{name}:{i}" if name else "",
                     markerNumbers=[centers[i], centers[j], angles[i], angles[j]],
                     hasCoordinateMarkers=True,
+                    turningEnds=True,
                     # pulley i feeds the belt into the span, pulley j takes it out
                     coordinateFactors=[abs(turns[i]), -abs(turns[j])],
                     dampingPerLength=damping,

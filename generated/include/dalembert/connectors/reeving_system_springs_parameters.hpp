@@ -10,6 +10,7 @@ namespace dalembert {
 struct ObjectConnectorReevingSystemSpringsParameters {
   std::vector<MarkerIndex> markerNumbers = std::vector<MarkerIndex>(2);
   bool hasCoordinateMarkers = false;
+  bool turningEnds = false;
   Vec<double, 2> coordinateFactors = {1.0, 1.0};
   double stiffnessPerLength = 0.0;
   double dampingPerLength = 0.0;

@@ -179,13 +179,16 @@ struct Rope {
     return sheave.radius * angle;
   }
 
-  S tension(const Parameters& p) const {
+  S tension(const Parameters& p) {
     S own(p.referenceLength), own_rate(0);
     for (int k = 0; k < 2; ++k) {
       own += p.coordinateFactors[k] * ends[k].value;
       own_rate += p.coordinateFactors[k] * ends[k].rate;
     }
-    const S stretch = p.stiffnessPerLength * (length - own) + p.dampingPerLength * (rate - own_rate);
+    // Points of pulleys move with the rope that they add: their velocities contain its rate.
+    const S stretch_rate = p.turningEnds ? rate : rate - own_rate;
+    if (p.turningEnds) rate += own_rate;
+    const S stretch = p.stiffnessPerLength * (length - own) + p.dampingPerLength * stretch_rate;
     const S f = dalembert::value_of(own) == 0 ? 1e3 * stretch : stretch / own;
     const double limit = p.regularizationForce;
     return limit > 0 && f < 0.0 ? limit * saturated((1 / limit) * f) : f;
@@ -211,7 +214,8 @@ struct ObjectConnectorReevingSystemSprings : AllMarkersAct, NoAlgebraicEquations
     const auto wrenches = rope.wrenches(p);
     const int n = static_cast<int>(wrenches.size());
     for (int i = 0; i < n; ++i) x.apply(i, wrenches[static_cast<std::size_t>(i)]);
-    for (int i = n; i < x.markers(); ++i) x.apply(i, S(p.coordinateFactors[i - n] * rope.force));
+    for (int i = n; i < x.markers(); ++i)
+      x.apply(i, S((p.turningEnds ? 0.0 : p.coordinateFactors[i - n]) * rope.force));
   }
 
   static bool output(const Parameters& p, const Context& c, const Exchange<double>& x, OutputVariableType variable,
@@ -237,6 +241,8 @@ struct ObjectConnectorReevingSystemSprings : AllMarkersAct, NoAlgebraicEquations
       on.refuse("sheavesAxes", std::to_string(p.sheavesAxes.size()) + " axes", std::to_string(n) + " axes" + each);
     if (static_cast<int>(p.sheavesRadii.size()) != n)
       on.refuse("sheavesRadii", std::to_string(p.sheavesRadii.size()) + " radii", std::to_string(n) + " radii" + each);
+    if (p.turningEnds && n == count)
+      on.refuse("turningEnds", "True, without coordinate markers", "hasCoordinateMarkers=True: they measure the rotations");
     if (p.regularizationForce == 0) on.refuse("regularizationForce", "0", "a positive or a negative force");
   }
 };
