@@ -242,7 +242,8 @@ struct ObjectConnectorReevingSystemSprings : AllMarkersAct, NoAlgebraicEquations
     if (static_cast<int>(p.sheavesRadii.size()) != n)
       on.refuse("sheavesRadii", std::to_string(p.sheavesRadii.size()) + " radii", std::to_string(n) + " radii" + each);
     if (p.turningEnds && n == count)
-      on.refuse("turningEnds", "True, without coordinate markers", "hasCoordinateMarkers=True: they measure the rotations");
+      on.refuse("turningEnds", "True, without coordinate markers",
+                "hasCoordinateMarkers=True: they measure the rotations");
     if (p.regularizationForce == 0) on.refuse("regularizationForce", "0", "a positive or a negative force");
   }
 };
