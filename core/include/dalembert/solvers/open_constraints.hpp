@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,11 @@ struct ConstraintRates {
   std::vector<CoordinateUnit> units;  // units of the gaps
 };
 // User functions are evaluated slightly later than the state, or earlier close to the latest time.
-std::vector<double> rates_of_gaps(System& system, const State& state, const Conditions& conditions, double latest,
-                                  std::span<const char> of_velocities);
 ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions,
                                  double latest = std::numeric_limits<double>::infinity());
+// Its `rates` alone, without derivatives; `of_velocities` is that of an earlier state.
+std::vector<double> rates_of_gaps(System& system, const State& state, const Conditions& conditions, double latest,
+                                  std::span<const char> of_velocities);
 
 // "2 constraint equations:", and a line for each of the first ones.
 std::string listed(const std::vector<OpenConstraint>& open, const System& system);

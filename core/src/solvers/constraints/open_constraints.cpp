@@ -64,6 +64,7 @@ std::vector<double> rates_of_gaps(System& system, const State& state, const Cond
   const auto is_driven = [&](std::size_t k) {
     return !of_velocities[k] && (after[k] != before[k] || later[k] != before[k]);
   };
+  // Rates are linear in the velocities; the rest of them is prescribed in time.
   moved.time = state.time;
   std::ranges::fill(moved.v, 0.0);
   system.gaps(moved, rate, at_rest);
