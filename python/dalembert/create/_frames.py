@@ -247,9 +247,11 @@ def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: Floa
 def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray) -> None:
     """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow."""
     wanted = {int(number) for number in bodies if not isinstance(number, MarkerIndex)}
+    if len(wanted) != 2:
+        return
     for number in range(mbs.systemData.NumberOfObjects()):
         joint = mbs.GetObject(number)
-        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX") or len(wanted) != 2:
+        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX"):
             continue
         markers = [mbs.GetMarker(marker) for marker in joint["markerNumbers"]]
         if {int(marker.get("bodyNumber", -1)) for marker in markers} != wanted:
