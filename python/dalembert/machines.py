@@ -51,9 +51,9 @@ class InvoluteGear:
     """Outline of a spur gear with involute teeth, external or internal.
 
     The involute of the base circle runs between root and tip circle, given by module and the factors of addendum and
-    dedendum; backlash is the circumferential play of two such gears at the pitch circle, fillet the radius at the root (external gears
-    only); maxSteps points are tried along the involute, arcStepSize is the length of the steps at the root; points of
-    the outline closer than tolerance are merged.
+    dedendum; backlash is the circumferential play of two such gears at the pitch circle, fillet the radius at the root
+    (external gears only); maxSteps points are tried along the involute, arcStepSize is the length of the steps at the
+    root; points of the outline closer than tolerance are merged.
     """
 
     def __init__(
