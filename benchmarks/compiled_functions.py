@@ -8,7 +8,7 @@ import time
 
 import numba
 
-import dalembert as exu
+import dalembert as db
 from dalembert import compiled
 
 
@@ -20,43 +20,43 @@ def sweep(mbs, t, load):
     return load * math.sin(30 * t)
 
 
-@numba.cfunc(compiled.numba_signature(exu.ObjectConnectorCoordinateSpringDamper, "springForceUserFunction"))
+@numba.cfunc(compiled.numba_signature(db.ObjectConnectorCoordinateSpringDamper, "springForceUserFunction"))
 def compiledSpring(t, itemNumber, displacement, velocity, stiffness, damping, offset):
     return stiffness * (displacement - offset) + damping * velocity + 1e4 * displacement**3
 
 
-@numba.cfunc(compiled.numba_signature(exu.LoadCoordinate, "loadUserFunction"))
+@numba.cfunc(compiled.numba_signature(db.LoadCoordinate, "loadUserFunction"))
 def compiledSweep(t, load):
     return load * math.sin(30 * t)
 
 
 def solve(springFunction, loadFunction, solverType, steps, stepSize):
     """Duration in s and final displacement in m of a mass on a spring."""
-    mbs = exu.SystemContainer().AddSystem()
-    node = mbs.AddNode(exu.NodePoint(initialCoordinates=[0.01, 0, 0]))
-    mbs.AddObject(exu.MassPoint(physicsMass=2, nodeNumber=node))
-    rest = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(exu.NodePointGround()), coordinate=0))
-    tip = mbs.AddMarker(exu.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
+    mbs = db.SystemContainer().AddSystem()
+    node = mbs.AddNode(db.NodePoint(initialCoordinates=[0.01, 0, 0]))
+    mbs.AddObject(db.MassPoint(physicsMass=2, nodeNumber=node))
+    rest = mbs.AddMarker(db.MarkerNodeCoordinate(nodeNumber=mbs.AddNode(db.NodePointGround()), coordinate=0))
+    tip = mbs.AddMarker(db.MarkerNodeCoordinate(nodeNumber=node, coordinate=0))
     mbs.AddObject(
-        exu.CoordinateSpringDamper(
+        db.CoordinateSpringDamper(
             markerNumbers=[rest, tip], stiffness=3000, damping=5, springForceUserFunction=springFunction
         )
     )
-    mbs.AddLoad(exu.LoadCoordinate(markerNumber=tip, load=20, loadUserFunction=loadFunction))
+    mbs.AddLoad(db.LoadCoordinate(markerNumber=tip, load=20, loadUserFunction=loadFunction))
     mbs.Assemble()
-    settings = exu.SimulationSettings()
+    settings = db.SimulationSettings()
     settings.timeIntegration.numberOfSteps = steps
     settings.timeIntegration.endTime = steps * stepSize
     settings.timeIntegration.verboseMode = 0
     settings.solutionSettings.writeSolutionToFile = False
     start = time.perf_counter()
     mbs.SolveDynamic(settings, solverType=solverType)
-    return time.perf_counter() - start, mbs.GetNodeOutput(node, exu.OutputVariableType.Displacement)[0]
+    return time.perf_counter() - start, mbs.GetNodeOutput(node, db.OutputVariableType.Displacement)[0]
 
 
 for solverType, steps, stepSize in [
-    (exu.DynamicSolverType.ExplicitEuler, 200000, 1e-5),
-    (exu.DynamicSolverType.GeneralizedAlpha, 50000, 1e-4),
+    (db.DynamicSolverType.ExplicitEuler, 200000, 1e-5),
+    (db.DynamicSolverType.GeneralizedAlpha, 50000, 1e-4),
 ]:
     inPython, x = min(solve(spring, sweep, solverType, steps, stepSize) for _ in range(3))
     inC, y = min(solve(compiledSpring, compiledSweep, solverType, steps, stepSize) for _ in range(3))

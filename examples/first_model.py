@@ -3,7 +3,7 @@
 import dalembert as db
 
 model = db.Model()
-mass = model.create_mass_point(name="mass", reference_position=[0, -1, 0], mass=2, gravity=[0, -9.81, 0], draw_size=0.2)
+mass = model.create_mass_point("mass", reference_position=[0, -1, 0], mass=2, gravity=[0, -9.81, 0], draw_size=0.2)
 spring = model.create_spring_damper(body_numbers=["ground", mass], reference_length=1, stiffness=800, damping=8)
 
 solution = model.solve(end_time=2, step_size=2e-3)

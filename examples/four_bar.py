@@ -89,7 +89,9 @@ model.draw(file_name="four_bar_picture.png", view="axonometric")
 solution.animate(file_name="four_bar_motion.gif", window_size=[480, 360], frames_per_second=20)
 
 solution.plot((bars[2], "rotation"), file_name="four_bar_rocker.png")
-solution.plot("motor.force", file_name="four_bar_torque.png")
+axes = solution.plot("motor.force")
+axes.set_ylabel("torque of the motor (Nm)")
+axes.figure.savefig("four_bar_torque.png")
 
 t, rocking = solution.times, solution[bars[2]].rotation
 steady = t >= 1.5  # two revolutions at full speed

@@ -116,6 +116,10 @@ void register_state(Class& main_system) {
       "_RequireIdle",
       [](const MainSystem& main, const std::string& method) { require_idle(main, "mbs." + method + "(...)"); },
       py::arg("method"), "Refuse a call of the method while the system is being solved.");
+  main_system.def(
+      "_ConstraintsBetween",
+      [](const MainSystem& main, const std::vector<int>& bodies) { return constraints_between(main.model, bodies); },
+      py::arg("bodies"), "Numbers of objects with constraints whose markers are on these bodies and no others.");
   main_system.def("__repr__", [](const MainSystem& main) { return system_summary(main); });
 }
 

@@ -21,6 +21,9 @@ INTRO = """\
 A Create function is a method of ``MainSystem`` that adds a body, a connector, a joint, a load, a sensor or a robot with
 what belongs to it: nodes, markers, weight. It returns the number of the item, by which its parameters can be read and
 set, or a dictionary with several.
+
+``dalembert.Model`` has the same functions with names in snake_case: ``model.create_motor`` is ``CreateMotor``, with
+``body_numbers`` for ``bodyNumbers``. It returns handles, see :doc:`/tutorial/first_steps`.
 """
 
 
@@ -53,7 +56,8 @@ def page(name: str, function: Any, create: ModuleType, examples: dict[str, str],
             *as_rst(inspect.getdoc(plain).splitlines()),
             f"\n:Items: {items or ':doc:`general contact </general_contact>`'}\n",
             heading("Arguments", "-"),
-            f"``mbs.{name}(...)`` takes these arguments, by name.\n",
+            f"``mbs.{name}(...)`` takes these arguments, by name. ``model.{snake_case(name)}(...)`` takes them in "
+            "snake_case, such as ``body_numbers`` for ``bodyNumbers``, and returns handles.\n",
             ".. list-table::\n   :header-rows: 1\n   :class: rows\n",
             "   * - name\n     - type\n     - default\n     - description",
             "".join(map(row, mirrors.arguments(plain, create.checks(plain)))),

@@ -1,4 +1,4 @@
-"""Pictures for the pages of items and Create functions: the model of the example, as it is after it has run.
+"""Pictures for the pages of items, Create functions and others: the model of the example, as it is after it has run.
 
 They are made when pages are built, all in one process, and not again before examples or compiled package have changed.
 """
@@ -6,8 +6,10 @@ They are made when pages are built, all in one process, and not again before exa
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
+import textwrap
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -17,6 +19,7 @@ from codegen.load import load
 
 ROOT = Path(__file__).parents[2]
 GENERATED = ROOT / "docs/_generated"
+CODE = re.compile(r"^\.\. code-block:: python\n\n((?:(?:   .*)?\n)+)", re.MULTILINE)
 # Run in a process of its own: a folder, then a name and an example per page, all by standard input.
 DRAWING = """
 import sys, json
@@ -83,7 +86,9 @@ def fill_picture(SC, zoom):
 for item, code in examples.items():
     SC = exu.SystemContainer()
     mbs = SC.AddSystem()
-    exec(code, names | {"exu": exu, "np": np, "SC": SC, "mbs": mbs})
+    exec(code, scope := names | {"exu": exu, "np": np, "SC": SC, "mbs": mbs})
+    if "model" in scope:
+        mbs, SC = scope["model"].system, scope["model"].container
     if is_item := item.startswith(KINDS):
         show(mbs, item)
     elif not mbs.systemIsConsistent:
@@ -114,6 +119,18 @@ def draw(folder: str, examples: dict[str, str]) -> set[str]:
             left.unlink()
         done.write_text(state, "utf-8")
     return {file.stem for file in path.glob("*.png")}
+
+
+def draw_pages() -> None:
+    """Draw the models of written pages: `.. image:: /_generated/PAGE/NAME.png` shows the code of the page above it."""
+    for page in sorted((ROOT / "docs").glob("*.rst")):
+        parts = re.split(rf"^\.\. image:: /_generated/{page.stem}/(\w+)\.png$", page.read_text("utf-8"), flags=re.M)
+        above, examples = "", {}
+        for text, name in zip(parts[::2], parts[1::2], strict=False):
+            above += "\n".join(textwrap.dedent(code) for code in CODE.findall(text))
+            examples[name] = above
+        if examples:
+            draw(page.stem, examples)
 
 
 def figure(folder: str, file: str, words: str) -> str:

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from importlib.util import find_spec
 from inspect import isroutine
 from pathlib import Path
 from types import FunctionType, ModuleType
 
 from create_pages import create_pages, heading
 from example_pages import example_pages
-from item_pictures import with_pictures
+from item_pictures import draw_pages, with_pictures
 from sphinx.application import Sphinx
 from theory_figures import draw_figures
 
@@ -125,6 +126,8 @@ def module_pages() -> dict[str, str]:
 def write(app: Sphinx) -> None:
     """Write only changed files, so that Sphinx reads only these; remove outdated files."""
     draw_figures()
+    if find_spec("dalembert") is not None:
+        draw_pages()
     pages = reference_pages() | create_pages() | example_pages() | module_pages()
     wanted = {TARGET / path: text for path, text in pages.items()}
     for path in TARGET.rglob("*.rst"):

@@ -51,9 +51,9 @@ class InvoluteGear:
     """Outline of a spur gear with involute teeth, external or internal.
 
     The involute of the base circle runs between root and tip circle, given by module and the factors of addendum and
-    dedendum; backlash is the circumferential play at the pitch circle, fillet the radius at the root (external gears
-    only); maxSteps points are tried along the involute, arcStepSize is the length of the steps at the root; points of
-    the outline closer than tolerance are merged.
+    dedendum; backlash is the circumferential play of two such gears at the pitch circle, fillet the radius at the root
+    (external gears only); maxSteps points are tried along the involute, arcStepSize is the length of the steps at the
+    root; points of the outline closer than tolerance are merged.
     """
 
     def __init__(
@@ -102,7 +102,8 @@ class InvoluteGear:
 
         self.angleToothAndGap = 2 * pi / nTeeth
         angularBacklash = backlash / (2 * self.pitchRadius)
-        self.angleTooth = angularBacklash if isInternalGear else 0.5 * self.angleToothAndGap - angularBacklash
+        # teeth of an external gear, spaces of an internal one: their outlines are the same
+        self.angleTooth = 0.5 * self.angleToothAndGap + (angularBacklash if isInternalGear else -angularBacklash)
         self.anglePitchIntersect: float | None = None
         self.angleFullTooth: float | None = None
 
@@ -134,7 +135,7 @@ class InvoluteGear:
         beyondPitch = np.flatnonzero(radius >= self.pitchRadius)
         if len(beyondPitch):
             first = beyondPitch[0]
-            self.anglePitchIntersect = float(theta[first])
+            self.anglePitchIntersect = Involute(self.pressureAngle)
             self.angleFullTooth = 2 * self.anglePitchIntersect + self.angleTooth
             beyondTooth = np.flatnonzero(theta[first + 1 :] >= 0.5 * self.angleFullTooth)
             if len(beyondTooth):

@@ -356,3 +356,9 @@ def test_initial_angular_velocity_is_global_for_any_rotation(kind):
         np.testing.assert_allclose(mbs.GetObjectOutputBody(*output), omega, atol=1e-14)
         output = (body, exu.OutputVariableType.RotationMatrix, [0, 0, 0], exu.ConfigurationType.Initial)
         np.testing.assert_allclose(mbs.GetObjectOutputBody(*output).reshape(3, 3), reference @ rotation, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", create.functions)
+def test_summary_is_a_line(name):
+    """The table of Create functions, and stubs, show the first line of the text alone."""
+    assert create.functions[name].__doc__.splitlines()[0].endswith(".")

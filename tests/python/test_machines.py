@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
+from matplotlib.path import Path
 
 from dalembert import machines
 
@@ -23,13 +24,53 @@ def test_gear_outline_has_teeth_between_root_and_tip(internal):
     outline = gear.GenerateGear()
     radius = np.linalg.norm(outline, axis=1)
     assert radius.min() == pytest.approx(gear.rootRadius)
-    if internal:  # the spaces between the teeth are pointed
-        assert gear.pitchRadius < radius.max() < gear.outerRadius
-    else:
-        assert radius.max() == pytest.approx(gear.outerRadius)
+    assert radius.max() == pytest.approx(gear.outerRadius)
     above = radius > gear.pitchRadius
     assert np.count_nonzero(above != np.roll(above, 1)) == 48
     assert np.linalg.norm(np.diff(outline, axis=0), axis=1).min() >= gear.tolerance
+
+
+@pytest.mark.parametrize("internal", [False, True])
+@pytest.mark.parametrize("steps", [100, 1000])
+def test_flanks_are_involutes_at_the_analytic_angle(internal, steps):
+    """A flank is at half the width of the tooth at the pitch circle plus inv(20 deg) - inv(alpha), with
+    cos(alpha) = base radius / radius; the space of an internal gear has the outline of a tooth. Any number of steps
+    gives points of the exact curve."""
+    backlash = 0.01
+    gear = machines.InvoluteGear(0.1, 24, backlash=backlash, maxSteps=steps, isInternalGear=internal)
+    x, y = gear.GenerateTooth()
+    radius, angle = np.hypot(x, y), np.abs(np.arctan2(y, x))
+    flank = (radius > max(gear.baseRadius, gear.rootRadius) * (1 + 1e-9)) & (radius < gear.outerRadius * (1 - 1e-9))
+    assert np.count_nonzero(flank) > steps / 50
+    width = np.pi * 0.1 / 2 + (0.5 if internal else -0.5) * backlash
+    alpha = np.arccos(gear.baseRadius / radius[flank])
+    exact = 0.5 * width / gear.pitchRadius + machines.Involute(np.radians(20)) - (np.tan(alpha) - alpha)
+    np.testing.assert_allclose(angle[flank], exact, rtol=0, atol=1e-12)
+
+
+def distance_to(outline, points):
+    """Return the distance of each point to an outline."""
+    side = np.roll(outline, -1, axis=0) - outline
+    along = np.clip(((points[:, None] - outline) * side).sum(2) / (side**2).sum(1), 0, 1)
+    return np.linalg.norm(points[:, None] - outline - along[..., None] * side, axis=2).min(1, initial=np.inf)
+
+
+@pytest.mark.parametrize("internal", [False, True])
+def test_meshing_gears_touch_and_do_not_overlap(internal):
+    """Gears turn by the ratio of their teeth. Without backlash, flanks touch at any angle: chords of 0.16 mm of a curve
+    with a radius of 20 mm are 0.2 micrometers off. The outline of the internal gear is that of its hollow."""
+    pinion = machines.InvoluteGear(4e-3, 30, arcStepSize=4e-4, maxSteps=400)
+    gear = machines.InvoluteGear(4e-3, 75, arcStepSize=4e-4, maxSteps=400, isInternalGear=internal)
+    distance = gear.pitchRadius + (-1 if internal else 1) * pinion.pitchRadius
+    for turn in np.linspace(0, pinion.angleToothAndGap, 4):
+        small = pinion.GenerateGear() @ pinion.RotationMatrix2D(turn).T + [distance, 0]
+        angle = 0.4 * turn if internal else 0.5 * gear.angleToothAndGap - 0.4 * turn  # a gap is where a tooth is
+        large = gear.GenerateGear() @ gear.RotationMatrix2D(angle).T
+        near = small[np.linalg.norm(small - [gear.pitchRadius, 0], axis=1) < 0.02]
+        away = distance_to(large, near)
+        wrong = Path(large).contains_points(near) != internal
+        assert away[wrong].max(initial=0) < 1e-6
+        assert away.min() < 1e-6
 
 
 def test_gear_helpers():

@@ -568,6 +568,10 @@ def test_motions_are_written(tmp_path: Path) -> None:
         assert film.n_frames == 11 and film.size == (120, 90)  # one second, with both ends
     solution.animate(tmp_path / "motion.html", title="oscillator")
     assert "<html" in (tmp_path / "motion.html").read_text("utf-8")
+    solution.animate(tmp_path / "motion.glb", speed=0.1)
+    solution.animate(tmp_path / "grids" / "motion.pvd", speed=0.1, frames_per_second=10)
+    assert b'"animations"' in (tmp_path / "motion.glb").read_bytes()  # of a motion, not of a state alone
+    assert (tmp_path / "grids" / "motion.pvd").read_text("utf-8").count("timestep=") == 11
     with pytest.raises(TypeError, match=r"solution\.animate\(.*\): unknown argument 'speeds'"):
         solution.animate(tmp_path / "motion.gif", speeds=2)
     with pytest.raises(TypeError, match=r"solution\.animate\(.*\): unknown argument 'solution'"):

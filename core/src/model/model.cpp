@@ -231,4 +231,34 @@ std::optional<std::span<const ItemChange>> Model::changed_since(std::uint64_t si
   return std::span(changes_).last(static_cast<std::size_t>(missing));
 }
 
+// Largest first, each once.
+std::vector<int> referenced(const Item& item, ItemKind kind) {
+  std::vector<int> found;
+  for (const Row& row : item.type->rows) {
+    const IndexStorage storage = index_storage(row.storage);
+    if (!storage.is_index || storage.kind != kind) continue;
+    for (const int number : index_values(row, item.record.get()))
+      if (number >= 0) found.push_back(number);
+  }
+  std::ranges::sort(found, std::greater<>{});
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+std::vector<int> constraints_between(const Model& model, std::vector<int> bodies) {
+  std::ranges::sort(bodies, std::greater<>{});
+  std::vector<int> found, carriers;
+  const std::vector<Item>& objects = model.items(ItemKind::object);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!provides(*objects[i].type, "Constraint")) continue;
+    carriers.clear();
+    for (const int marker : referenced(objects[i], ItemKind::marker))
+      for (const int body : referenced(model.item(ItemKind::marker, marker), ItemKind::object))
+        carriers.push_back(body);
+    std::ranges::sort(carriers, std::greater<>{});
+    if (carriers == bodies) found.push_back(static_cast<int>(i));
+  }
+  return found;
+}
+
 }  // namespace dalembert

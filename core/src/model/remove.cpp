@@ -6,24 +6,6 @@
 #include "dalembert/model/model.hpp"
 
 namespace dalembert {
-namespace {
-
-// Numbers of the items of `kind` that `item` refers to, largest first, each once.
-std::vector<int> referenced(const Item& item, ItemKind kind) {
-  std::vector<int> found;
-  for (const Row& row : item.type->rows) {
-    const IndexStorage storage = index_storage(row.storage);
-    if (!storage.is_index || storage.kind != kind) continue;
-    for (const int number : index_values(row, item.record.get()))
-      if (number >= 0) found.push_back(number);
-  }
-  std::ranges::sort(found, std::greater<>{});
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
-
-}  // namespace
-
 // Walk all references to items of one kind: the removed one becomes invalid, those behind it move up.
 void Model::shift_references(ItemKind kind, int removed, std::vector<std::string>& lost) {
   for (std::size_t k = 0; k < item_kinds; ++k) {

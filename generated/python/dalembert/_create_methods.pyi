@@ -653,7 +653,7 @@ class CreateMethods:
         *,
         sphere_radius: float = ...,
     ) -> handles.ObjectContactSphereTriangle:
-        """Add contact between a sphere on the first body and a triangle on the second one; return the handle of the"""
+        """Add contact between a sphere on the first body and a triangle on the second one; return its handle."""
     def create_spherical_joint(
         self,
         name: str = ...,

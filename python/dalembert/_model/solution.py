@@ -36,6 +36,7 @@ _FORMAT = "dalembert solution 1"
 _STATES = ("coordinates", "velocities", "accelerations", "ode1_coordinates", "ode1_velocities", "multipliers", "data")
 _INDICES = (_core.NodeIndex, _core.ObjectIndex, _core.MarkerIndex)
 _STEP_FUNCTIONS = ("PreStep", "PostStep", "PostNewton", "PreNewtonResidual", "EventAction", "ItemEventAction")
+_WRITERS = {".html": "SaveHTML", ".htm": "SaveHTML", ".glb": "SaveGLB", ".pvd": "SaveVTU"}  # of motions, no films
 
 
 class SolutionWarning(UserWarning):
@@ -392,20 +393,21 @@ class Solution:
         return ax
 
     def animate(self, file_name: str | os.PathLike[str] = "", **options: Any) -> None:
-        """Show the motion, or write it to a file: a film (.gif, .webp, .mp4, 'frame%04d.png') or a page (.html).
+        """Show the motion, or write a film, a page (.html), or a file for Blender (.glb) or ParaView (.pvd).
 
-        Without a file, notebooks play it in the cell, and the browser does elsewhere. model.container has the settings
-        of pictures. options: arguments of MainSystem.DrawSolution for films and of SaveHTML for pages, such as
-        speed=0.2 (time of the solution that passes in a second) and view="axonometric", and those of SolutionViewer
-        without a file, such as row_increment=2.
+        Films are .gif, .webp, .mp4, and images 'frame%04d.png'. Without a file, notebooks play the motion in the cell,
+        and the browser does elsewhere. model.container has the settings of pictures. options: arguments of
+        MainSystem.DrawSolution for films, of SaveHTML, SaveGLB and SaveVTU for the others, such as speed=0.2 (time of
+        the solution that passes in a second) and view="axonometric", and those of SolutionViewer without a file, such
+        as row_increment=2.
         """
         from dalembert._model.model import camel_case
         from dalembert._pictures.renderer import state_of
 
         self._require_model("animate")
         name = os.fspath(file_name)
-        is_page = name.lower().endswith((".html", ".htm"))
-        kind = "SaveHTML" if is_page else "DrawSolution" if name else "SolutionViewer"
+        ending = os.path.splitext(name)[1].lower()
+        kind = _WRITERS.get(ending, "DrawSolution") if name else "SolutionViewer"
         where = f"solution.animate({name!r})" if name else "solution.animate() without a file"
         named = camel_case(getattr(_core.MainSystem, kind), options, where, without=("solution", "fileName"))
         system, container = self._snapshot, self._snapshot.GetSystemContainer()

@@ -247,18 +247,18 @@ def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: Floa
 def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray) -> None:
     """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow."""
     wanted = {int(number) for number in bodies if not isinstance(number, MarkerIndex)}
-    for number in range(mbs.systemData.NumberOfObjects()):
+    if len(wanted) != 2:
+        return
+    for number in mbs._ConstraintsBetween(list(wanted)):
         joint = mbs.GetObject(number)
-        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX") or len(wanted) != 2:
-            continue
-        markers = [mbs.GetMarker(marker) for marker in joint["markerNumbers"]]
-        if {int(marker.get("bodyNumber", -1)) for marker in markers} != wanted:
+        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX"):
             continue
         text = f"joint {number} '{joint['name']}' between these bodies"
         if joint["objectType"] == "JointPrismaticX":
             expected = f"bodies that can turn, which the prismatic {text} does not allow"
             raise argument_error(function, "bodyNumbers", expected, bodies)
-        along = (reference_rotation(mbs, markers[0]["bodyNumber"]) @ joint["rotationMarker0"])[:, 2]
+        body = mbs.GetMarker(joint["markerNumbers"][0])["bodyNumber"]
+        along = (reference_rotation(mbs, body) @ joint["rotationMarker0"])[:, 2]
         if np.linalg.norm(np.cross(along, axis)) > 1e-6 * np.linalg.norm(axis):
             raise argument_error(function, "axis", f"the axis {along.round(6)} of {text}", axis.tolist())
 

@@ -115,8 +115,7 @@ def CreateSphereTriangleContact(
     color: Vector = DEFAULT_COLOR,
     limitDamping: bool = False,
 ) -> ObjectIndex:
-    """Add contact between a sphere on the first body and a triangle on the second one; return the ObjectIndex of the
-    contact.
+    """Add contact between a sphere on the first body and a triangle on the second one; return its ObjectIndex.
 
     Points of the triangle are relative to localPosition1. Friction requires an orientation of the first body or node.
     """

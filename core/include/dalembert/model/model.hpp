@@ -123,6 +123,11 @@ class Model {
   std::uint64_t structure_changes_ = 0, equation_changes_ = 0, value_changes_ = 0, record_changes_ = 0;
 };
 
+// Numbers of the items of a kind that an item refers to.
+std::vector<int> referenced(const Item& item, ItemKind kind);
+// Objects with constraints whose markers are on these bodies and no others.
+std::vector<int> constraints_between(const Model& model, std::vector<int> bodies);
+
 // The number in a default name such as 'node12' of that kind; -1 if the name is not of this form.
 int default_name_number(ItemKind kind, std::string_view name);
 
