@@ -380,9 +380,12 @@ def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
         (model.create_prescribed_motion, {"kind": "rotation"}),
     ):
         with pytest.raises(
-            ValueError, match=r"'axis': expected the axis \[.*-1.*\] of joint \d+ 'hinge' between these"
+            ValueError,
+            match=r"'axis': expected the axis \[.*-1.*\] \(global frame\) of joint \d+ 'hinge' between these",
         ):
             make(**place, axis="x", **given)
+    hinge.active_connector = False
+    model.create_motor(**place, axis="x", torque=1.0)
     model.delete(hinge)
     model.create_prismatic_joint("rail", **place, axis="x")
     with pytest.raises(ValueError, match="bodies that can turn, which the prismatic joint .* 'rail' .* does not allow"):
@@ -428,7 +431,8 @@ def test_splines_that_overshoot_are_announced() -> None:
     step = [[0, 0], [0.5, 0], [0.7, 0.05], [3, 0.05]]
     spline = laws.interpolate(np.linspace(0, 3, 2001), *np.transpose(step), True)
     with pytest.warns(
-        UserWarning, match=r"motion: the spline through the table reaches (0\.\d+) at t = .*smooth=False"
+        UserWarning,
+        match=r"CreatePrescribedMotion: motion: the spline through the table reaches (0\.\d+) at t = .*smooth=False",
     ) as got:
         model.create_prescribed_motion(**place, motion=step)
     reached = float(str(got[0].message).partition("reaches ")[2].split()[0])

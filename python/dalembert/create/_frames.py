@@ -245,11 +245,16 @@ def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: Floa
 
 
 def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray) -> None:
-    """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow."""
+    """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow.
+
+    The axis is given in the global frame. Joints that are switched off allow any rotation.
+    """
     wanted = {int(number) for number in bodies if not isinstance(number, MarkerIndex)}
+    if len(wanted) != 2:
+        return
     for number in range(mbs.systemData.NumberOfObjects()):
         joint = mbs.GetObject(number)
-        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX") or len(wanted) != 2:
+        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX") or not joint["activeConnector"]:
             continue
         markers = [mbs.GetMarker(marker) for marker in joint["markerNumbers"]]
         if {int(marker.get("bodyNumber", -1)) for marker in markers} != wanted:
@@ -260,7 +265,8 @@ def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: 
             raise argument_error(function, "bodyNumbers", expected, bodies)
         along = (reference_rotation(mbs, markers[0]["bodyNumber"]) @ joint["rotationMarker0"])[:, 2]
         if np.linalg.norm(np.cross(along, axis)) > 1e-6 * np.linalg.norm(axis):
-            raise argument_error(function, "axis", f"the axis {along.round(6)} of {text}", axis.tolist())
+            expected = f"the axis {along.round(6) + 0.0} (global frame) of {text}"  # + 0.0: no negative zeros
+            raise argument_error(function, "axis", expected, axis.tolist())
 
 
 def add_joint_markers(mbs: Any, place: JointPlace, name: str, rigid: bool = True) -> list[Any]:
