@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 
 import dalembert as exu
 from dalembert import laws
+from dalembert.utilities import CreateSymbolicUserFunction
 
 Variable = exu.OutputVariableType
 INERTIA = 0.5  # of the wheel about its axis, kg m^2
@@ -362,6 +363,19 @@ def test_parameters_that_a_law_replaces_are_refused(mbs: Any) -> None:
         with pytest.raises(ValueError, match=text):
             set_it()
     assert motor.parameters.torque == motor.stiffness == 0
+
+
+def test_parameters_that_a_recorded_user_function_reads_can_be_set(mbs: Any) -> None:
+    """It is no law of dalembert.laws, and gets the parameters as arguments."""
+    _, place = wheel_of(mbs)
+    spring = exu.Model(mbs).create_torsional_spring_damper("spring", *place.values(), stiffness=1.0)
+    number = mbs.GetObjectNumber("spring")
+    function = CreateSymbolicUserFunction(
+        mbs, lambda mbs, t, item, phi, omega, k, d, offset: k * phi, "springTorqueUserFunction", number
+    )
+    mbs.SetObjectParameter(number, "springTorqueUserFunction", function)
+    spring.stiffness = 2.0
+    assert mbs.GetObjectParameter(number, "stiffness") == 2.0
 
 
 def test_axes_that_a_joint_does_not_allow_are_refused() -> None:

@@ -11,7 +11,7 @@ from test_mjcf_dynamics import in_mujoco, solve
 
 import dalembert as exu
 from dalembert import itemInterface as items
-from dalembert.robotics import Robot, RobotContact, RobotLink
+from dalembert.robotics import Robot, RobotActuator, RobotContact, RobotLink
 from dalembert.robotics._contacts import _sets, _touching, effective_masses
 from dalembert.robotics._tendons import place_of
 from dalembert.robotics.utilities import ReadRobot
@@ -300,6 +300,33 @@ def test_many_free_bodies_have_one_general_contact(tmp_path: Path) -> None:
     base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
     made = mbs.CreateRobot(tmp_path / "robot.xml", contacts=True, baseMarker=base)
     assert [each.GetPythonObject()["numberOfSpheresMarkerBased"] for each in made["contacts"]] == [20]
+
+
+def test_free_bodies_with_forces_on_their_coordinates_are_refused(tmp_path: Path) -> None:
+    """Rigid bodies have no such coordinates. Links on a free body are no reason."""
+    text = '<mujoco><worldbody><body name="b"><freejoint name="f"/><geom size=".1"/></body></worldbody></mujoco>'
+    (tmp_path / "robot.xml").write_text(text)
+
+    def made(change: Any) -> Any:
+        robot = ReadRobot(tmp_path / "robot.xml", graphics=False)
+        change(robot)
+        mbs = exu.SystemContainer().AddSystem()
+        base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+        robot.CreateRedundantCoordinateMBS(mbs, base)
+        return mbs
+
+    def with_link(parent: int) -> Any:
+        return lambda robot: robot.AddLink(RobotLink(1.0, [0, 0, 0], np.eye(3), parent=parent))
+
+    assert made(lambda robot: None).systemData.NumberOfNodes() == 1
+    assert made(with_link(5)).systemData.NumberOfNodes() == 2
+    for change in (
+        with_link(2),
+        lambda robot: robot.AddActuator(RobotActuator("drive", "f:2")),
+        lambda robot: setattr(robot.links[5], "damping", 3.0),
+    ):
+        with pytest.raises(ValueError, match="link 0 '' has no mass, which needs the coordinates of the joints"):
+            made(change)
 
 
 def test_effective_masses_are_those_of_mujoco(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
