@@ -448,13 +448,19 @@ def test_wrong_contacts_are_refused(tmp_path: Path) -> None:
     for change, text in (
         ({"shape": "cone"}, "RobotContact 's': shape: .*expected one of sphere, box, cylinder, capsule, plane"),
         ({"size": [0.1, 0.2]}, "RobotContact 's': size"),
-        ({"size": [-0.1]}, "RobotContact 's': size: .*positive numbers"),
+        ({"size": [-0.1]}, "RobotContact 's': size: .*positive finite numbers"),
+        ({"size": [np.nan]}, "RobotContact 's': size: .*positive finite numbers"),
+        ({"stiffness": "stiff"}, "RobotContact 's': stiffness: expected a finite number, received 'stiff'"),
+        ({"groups": 2**33}, "RobotContact 's': groups: expected an integer from -2147483648 to 4294967295"),
         ({"stiffness": 0.0}, "RobotContact 's': stiffness: .*a positive number, or infinity for a rigid shape"),
         ({"damping": -1.0}, "RobotContact 's': damping"),
         ({"HT": np.eye(3)}, "RobotContact 's': HT"),
     ):
         with pytest.raises(ValueError, match=text):
             RobotContact(**{"name": "s", "frame": "a", "shape": "sphere", "size": [0.1], **change})
+    for wrong in ({"groups": 1.5}, {"partners": "all"}, {"smooth": "no"}):
+        with pytest.raises(TypeError, match=f"RobotContact 's': {next(iter(wrong))}: expected an? (integer|bool)"):
+            RobotContact("s", "a", "sphere", [0.1], **wrong)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="there is no link or joint 'b'"):
         robot.AddContact(RobotContact("s", "b", "sphere", [0.1]))
     with pytest.raises(ValueError, match="there is no link or joint 'b'"):
