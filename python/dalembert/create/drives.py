@@ -334,8 +334,8 @@ def _force(
 ) -> Any:  # fmt: skip
     if not any(direction):
         raise argument_error(function, "direction", "a vector with 3 components that is not zero", direction)
-    if isinstance(table, (int, float)) and table == 0:
-        raise argument_error(function, "table", f"{SIGNAL}, which is not zero", table)
+    if table is None:
+        raise argument_error(function, "table", SIGNAL, table)
     along = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     value = signal(function, "table", table, smooth)
     name_of_item = item.__name__
@@ -361,7 +361,7 @@ def CreateForceFromTable(
     mbs: MainSystem,
     name: str = "",
     bodyNumber: Connected | None = None,
-    table: Signal = 0.0,
+    table: Signal | None = None,
     direction: Vector = [1, 0, 0],
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,
@@ -384,7 +384,7 @@ def CreateTorqueFromTable(
     mbs: MainSystem,
     name: str = "",
     bodyNumber: Connected | None = None,
-    table: Signal = 0.0,
+    table: Signal | None = None,
     direction: Vector = [0, 0, 1],
     bodyFixed: bool = False,
     smooth: bool = False,
