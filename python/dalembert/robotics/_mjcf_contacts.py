@@ -76,7 +76,7 @@ class Contacts:
     def take(self, geom: Element, body: str, shape: Shape | None, T: FloatArray) -> None:
         """Take over a geom on a body if it touches others."""
         groups, partners = (int(geom.number(name, "1")) for name in ("contype", "conaffinity"))
-        kind = geom.text("type", "mesh" if "mesh" in geom.attributes else "sphere")
+        kind = geom.text("type", "sphere")
         name = geom.text("name", kind)
         if not (groups or partners) or "contact" in self.content.options.off:
             return
