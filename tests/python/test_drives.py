@@ -12,7 +12,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import dalembert as exu
+from dalembert import itemInterface as items
 from dalembert import laws
+from dalembert._snake_case import snake_case
 from dalembert.utilities import CreateSymbolicUserFunction
 
 Variable = exu.OutputVariableType
@@ -363,6 +365,55 @@ def test_parameters_that_a_law_replaces_are_refused(mbs: Any) -> None:
         with pytest.raises(ValueError, match=text):
             set_it()
     assert motor.parameters.torque == motor.stiffness == 0
+
+
+LAWS: dict[str, tuple[Any, list[str]]] = {
+    "points": (lambda u, v, t: u, ["offset"]),
+    "line": (lambda L, L_t, t: L, ["referenceLength"]),
+    "frames": (lambda u, phi, v, omega, t: (u, phi), []),
+    "rotation": (lambda phi, omega, t: phi, []),
+}
+
+
+@pytest.mark.parametrize("kind", LAWS)
+def test_refused_parameters_are_those_without_effect(kind: str) -> None:
+    """A change of any stiffness, damping, force or offset: those that change the motion can be set, and no others."""
+    function, read = LAWS[kind]
+    law = laws.connector(kind)(function)
+
+    def made() -> Any:
+        model = exu.Model()
+        model.create_box("body", mass=1, reference_position=[1, 0.2, 0.1], initial_velocity=[0.1, 0.2, 0.3])
+        mbs = model.system
+        markers = [mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=number)) for number in ("ground", "body")]
+        turns = {}
+        if kind == "rotation":
+            data = items.NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1)
+            turns["nodeNumber"] = mbs.AddNode(data)
+        mbs.AddObject(law(markers, name="law", **turns))
+        return model
+
+    def motion(model: Any) -> Any:
+        model.solve(end_time=0.05, step_size=0.01)
+        return model.system.systemData.GetODE2Coordinates()
+
+    usual = motion(made())
+    with_effect = []
+    for name in made().system.GetObject("law"):
+        if not name.startswith(("stiffness", "damping", "force", "torque", "offset", "velocityOffset", "reference")):
+            continue
+        if "Function" in name:
+            continue
+        model = made()
+        value = np.asarray(model.system.GetObjectParameter("law", name), dtype=float) + 0.3
+        model.system.SetObjectParameter("law", name, value.tolist())
+        if np.abs(motion(model) - usual).max() > 1e-12:
+            with_effect.append(name)
+            model["law"].parameters[snake_case(name)] = value.tolist()
+        else:
+            with pytest.raises(ValueError, match=f"{snake_case(name)} has no effect"):
+                model["law"].parameters[snake_case(name)] = value.tolist()
+    assert with_effect == read
 
 
 def test_parameters_that_a_recorded_user_function_reads_can_be_set(mbs: Any) -> None:
