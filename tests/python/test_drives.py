@@ -456,6 +456,19 @@ def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
     with pytest.raises(ValueError, match="bodies that can turn, which the prismatic joint .* 'rail' .* does not allow"):
         model.create_motor(**place, axis="x", torque=1.0)
     model.create_pid_controller(**place, axis="x", kind="translation", P=1.0)
+    for axis in ("y", [0, 1, -2]):
+        with pytest.raises(
+            ValueError, match=r"'axis': expected the axis \[1. 0. 0.\] \(global frame\) of joint .*'rail'"
+        ):
+            model.create_prescribed_motion(**place, axis=axis, motion=0.1)
+    model.delete("rail")
+    model.create_fixed_joint("weld", body_numbers=["ground", arm])
+    for kind in ("translation", "rotation"):
+        with pytest.raises(ValueError, match="bodies that can move, which the fixed joint .* 'weld' .* does not allow"):
+            model.create_prescribed_motion(**place, axis="x", kind=kind, motion=0.1)
+    model.delete("weld")
+    rail = model.create_prismatic_joint("rail", **place, axis="x")
+    assert rail is not None
     with pytest.raises(ValueError, match=r"'body_numbers\[1\]': expected a body or marker with position .*'rail'"):
         model.create_motor(body_numbers=["ground", "rail"], position=[0, 0, 0], axis="x", torque=1.0)
 

@@ -80,8 +80,7 @@ class _Axis:
                 expected = "a rigid body, such as a sphere, because a mass point has no orientation"
                 raise argument_error(function, f"bodyNumbers[{i}]", expected, mbs.GetObject(number)["name"])
         require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
-        if is_rotation:
-            require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame))
+        require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame), is_rotation)
         frames = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
         self.frames: dict[str, Any] = {"rotationMarker0": frames[0], "rotationMarker1": frames[1]}
         self._mbs, self._place, self._name = mbs, place, name
