@@ -73,7 +73,7 @@ _CONNECTORS = {
         "springForceUserFunction",
         {"L": 2, "L_t": 3, "t": 0},
         (),
-        ("stiffness", "damping", "force"),
+        ("stiffness", "damping", "force", "velocityOffset"),
     ),
     "frames": _Kind(
         "ObjectConnectorRigidBodySpringDamper",

@@ -77,6 +77,9 @@ def test_the_renderer_draws_them_as_its_state_says(SC: Any, pulled: Any) -> None
     np.testing.assert_array_equal(SC.renderer.RedrawAndGetImage(), plain)
     with pytest.raises(ValueError, match=r"SetState\(...\): showForces: expected True or False, received 1"):
         SC.renderer.SetState({"showForces": 1})
+    for draw, name in ((pulled.Draw, "forces"), (pulled.Draw, "floor"), (pulled.DrawSolution, "forces")):
+        with pytest.raises(ValueError, match=f"{draw.__name__}: {name}: expected True, False, or None .*received 'no'"):
+            draw("image%d.png", **{name: "no"})
     SC.renderer.SetState({"showFloor": True})
     SC.renderer.SetState(SC.renderer.GetState(), viewID=1)  # a view is copied
     assert "showFloor" not in SC.renderer.GetState(1) and SC.renderer.GetState()["showFloor"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -261,3 +262,17 @@ def test_an_axis_in_the_plane_of_the_rope_is_announced(mbs: Any) -> None:
         UserWarning, match="CreateRope: axis: the line from point . to point . is inclined by 42 degrees"
     ):
         atwood(mbs, axis=[0, 1, 1])  # asin(0.9 / hypot(0.9, 0.3) / sqrt(2))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for degrees in (0, 25):
+            atwood(mbs, axis=[0, np.sin(np.radians(degrees)), np.cos(np.radians(degrees))])
+
+
+def test_the_line_and_the_pulley_that_are_inclined_are_named(mbs: Any) -> None:
+    ends = mbs.CreateGround(), mbs.CreateBox(mass=1, referencePosition=[1, -1, 0])
+    for positions, line in (
+        ([[0, -1, 0], [0.5, 0, 0], [0.5, -1, 2]], "1 to point 2"),
+        ([[0, -1, 2], [0.5, 0, 0], [1, -1, 0]], "0 to point 1"),
+    ):
+        with pytest.warns(UserWarning, match=f"the line from point {line} is inclined by 6.* to the plane of pulley 1"):
+            mbs.CreateRope(bodyNumbers=[ends[0], ends[0], ends[1]], positions=positions, radii=[0.1], axis=[0, 0, 1])

@@ -12,7 +12,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import dalembert as exu
+from dalembert import itemInterface as items
 from dalembert import laws
+from dalembert._snake_case import snake_case
+from dalembert.utilities import CreateSymbolicUserFunction
 
 Variable = exu.OutputVariableType
 INERTIA = 0.5  # of the wheel about its axis, kg m^2
@@ -364,6 +367,68 @@ def test_parameters_that_a_law_replaces_are_refused(mbs: Any) -> None:
     assert motor.parameters.torque == motor.stiffness == 0
 
 
+LAWS: dict[str, tuple[Any, list[str]]] = {
+    "points": (lambda u, v, t: u, ["offset"]),
+    "line": (lambda L, L_t, t: L, ["referenceLength"]),
+    "frames": (lambda u, phi, v, omega, t: (u, phi), []),
+    "rotation": (lambda phi, omega, t: phi, []),
+}
+
+
+@pytest.mark.parametrize("kind", LAWS)
+def test_refused_parameters_are_those_without_effect(kind: str) -> None:
+    """A change of any stiffness, damping, force or offset: those that change the motion can be set, and no others."""
+    function, read = LAWS[kind]
+    law = laws.connector(kind)(function)
+
+    def made() -> Any:
+        model = exu.Model()
+        model.create_box("body", mass=1, reference_position=[1, 0.2, 0.1], initial_velocity=[0.1, 0.2, 0.3])
+        mbs = model.system
+        markers = [mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=number)) for number in ("ground", "body")]
+        turns = {}
+        if kind == "rotation":
+            data = items.NodeGenericData(initialCoordinates=[0], numberOfDataCoordinates=1)
+            turns["nodeNumber"] = mbs.AddNode(data)
+        mbs.AddObject(law(markers, name="law", **turns))
+        return model
+
+    def motion(model: Any) -> Any:
+        model.solve(end_time=0.05, step_size=0.01)
+        return model.system.systemData.GetODE2Coordinates()
+
+    usual = motion(made())
+    with_effect = []
+    for name in made().system.GetObject("law"):
+        if not name.startswith(("stiffness", "damping", "force", "torque", "offset", "velocityOffset", "reference")):
+            continue
+        if "Function" in name:
+            continue
+        model = made()
+        value = np.asarray(model.system.GetObjectParameter("law", name), dtype=float) + 0.3
+        model.system.SetObjectParameter("law", name, value.tolist())
+        if np.abs(motion(model) - usual).max() > 1e-12:
+            with_effect.append(name)
+            model["law"].parameters[snake_case(name)] = value.tolist()
+        else:
+            with pytest.raises(ValueError, match=f"{snake_case(name)} has no effect"):
+                model["law"].parameters[snake_case(name)] = value.tolist()
+    assert with_effect == read
+
+
+def test_parameters_that_a_recorded_user_function_reads_can_be_set(mbs: Any) -> None:
+    """It is no law of dalembert.laws, and gets the parameters as arguments."""
+    _, place = wheel_of(mbs)
+    spring = exu.Model(mbs).create_torsional_spring_damper("spring", *place.values(), stiffness=1.0)
+    number = mbs.GetObjectNumber("spring")
+    function = CreateSymbolicUserFunction(
+        mbs, lambda mbs, t, item, phi, omega, k, d, offset: k * phi, "springTorqueUserFunction", number
+    )
+    mbs.SetObjectParameter(number, "springTorqueUserFunction", function)
+    spring.stiffness = 2.0
+    assert mbs.GetObjectParameter(number, "stiffness") == 2.0
+
+
 def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
     """Such a motor would do nothing, as its torque is that of the joint."""
     model = exu.Model()
@@ -380,14 +445,30 @@ def test_axes_that_a_joint_does_not_allow_are_refused() -> None:
         (model.create_prescribed_motion, {"kind": "rotation"}),
     ):
         with pytest.raises(
-            ValueError, match=r"'axis': expected the axis \[.*-1.*\] of joint \d+ 'hinge' between these"
+            ValueError,
+            match=r"'axis': expected the axis \[.*-1.*\] \(global frame\) of joint \d+ 'hinge' between these",
         ):
             make(**place, axis="x", **given)
+    hinge.active_connector = False
+    model.create_motor(**place, axis="x", torque=1.0)
     model.delete(hinge)
     model.create_prismatic_joint("rail", **place, axis="x")
     with pytest.raises(ValueError, match="bodies that can turn, which the prismatic joint .* 'rail' .* does not allow"):
         model.create_motor(**place, axis="x", torque=1.0)
     model.create_pid_controller(**place, axis="x", kind="translation", P=1.0)
+    for axis in ("y", [0, 1, -2]):
+        with pytest.raises(
+            ValueError, match=r"'axis': expected the axis \[1. 0. 0.\] \(global frame\) of joint .*'rail'"
+        ):
+            model.create_prescribed_motion(**place, axis=axis, motion=0.1)
+    model.delete("rail")
+    model.create_fixed_joint("weld", body_numbers=["ground", arm])
+    for kind in ("translation", "rotation"):
+        with pytest.raises(ValueError, match="bodies that can move, which the fixed joint .* 'weld' .* does not allow"):
+            model.create_prescribed_motion(**place, axis="x", kind=kind, motion=0.1)
+    model.delete("weld")
+    rail = model.create_prismatic_joint("rail", **place, axis="x")
+    assert rail is not None
     with pytest.raises(ValueError, match=r"'body_numbers\[1\]': expected a body or marker with position .*'rail'"):
         model.create_motor(body_numbers=["ground", "rail"], position=[0, 0, 0], axis="x", torque=1.0)
 
@@ -412,8 +493,9 @@ def test_drives_without_effect_are_refused_or_announced() -> None:
     ):
         model.create_joint_stops(**place, lower=-1.0)
     for create in (model.create_force_from_table, model.create_torque_from_table):
-        with pytest.raises(ValueError, match="argument 'table': expected a number, a table .*, which is not zero"):
+        with pytest.raises(ValueError, match="argument 'table': expected a number, a table .*, received None"):
             create(body_number=wheel)
+        create(body_number=wheel, table=0.0)  # such as the first one of a series
     with pytest.warns(
         UserWarning, match="lower=0.5, upper=1: the reference configuration, where the angle is 0, is beyo"
     ):
@@ -428,7 +510,8 @@ def test_splines_that_overshoot_are_announced() -> None:
     step = [[0, 0], [0.5, 0], [0.7, 0.05], [3, 0.05]]
     spline = laws.interpolate(np.linspace(0, 3, 2001), *np.transpose(step), True)
     with pytest.warns(
-        UserWarning, match=r"motion: the spline through the table reaches (0\.\d+) at t = .*smooth=False"
+        UserWarning,
+        match=r"CreatePrescribedMotion: motion: the spline through the table reaches (0\.\d+) at t = .*smooth=False",
     ) as got:
         model.create_prescribed_motion(**place, motion=step)
     reached = float(str(got[0].message).partition("reaches ")[2].split()[0])

@@ -14,7 +14,7 @@ from test_mjcf_dynamics import accelerations, equations, gaps, in_mujoco, read, 
 HAND = """<mujoco model="hand"><compiler angle="radian" eulerseq="zyx" autolimits="false" boundmass=".5" meshdir="shapes"
 inertiagrouprange="0 2"/>
 <default><joint damping=".3"/><geom contype="0" conaffinity="0" density="300"/><motor gear="7"/><tendon damping=".4"/>
-<default class="stiff"><joint stiffness="4" armature=".2"/></default></default>
+<default class="stiff"><joint stiffness="4" armature=".2"/><geom density="700"/></default></default>
 <asset><mesh file="tet.obj" scale=".3 .3 .3"/></asset>
 <worldbody><geom name="plate" type="box" size=".2 .1 .05" pos="0 .1 0"/><site name="fixed" pos="0 0 .3"/>
 <frame childclass="stiff" pos="0 0 .1">

@@ -11,7 +11,7 @@ from test_mjcf_dynamics import in_mujoco, solve
 
 import dalembert as exu
 from dalembert import itemInterface as items
-from dalembert.robotics import Robot, RobotContact, RobotLink
+from dalembert.robotics import Robot, RobotActuator, RobotContact, RobotLink
 from dalembert.robotics._contacts import _sets, _touching, effective_masses
 from dalembert.robotics._tendons import place_of
 from dalembert.robotics.utilities import ReadRobot
@@ -69,11 +69,11 @@ class Run:
         self.position, self.velocity, self.omega = (mbs.GetSensorStoredData(each)[-1, 1:] for each in sensors)
 
 
-def mujoco_rest(path: Path, duration: float = 3.0) -> Any:
+def rest_in_mujoco(path: Path, duration: float = 3.0) -> Any:
     mujoco, made, data = in_mujoco(path)
     while data.time < duration:
         mujoco.mj_step(made, data)
-    return data.qpos.copy()
+    return mujoco, made, data
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -86,34 +86,64 @@ def test_a_ball_rests_as_deep_as_in_mujoco(
     run = Run(tmp_path / "robot.xml", text, form, 1, 1000, recwarn)
     assert run.told == []
     assert 0.1 - run.position[2] == pytest.approx(G / PER_MASS, rel=2e-6)
-    assert 0.1 - mujoco_rest(tmp_path / "robot.xml")[2] == pytest.approx(G / PER_MASS, rel=2e-6)
+    assert 0.1 - rest_in_mujoco(tmp_path / "robot.xml")[2].qpos[2] == pytest.approx(G / PER_MASS, rel=2e-6)
 
 
 @pytest.mark.parametrize("shape", ['size=".1"', 'type="box" size=".2 .2 .1"'])
-@pytest.mark.parametrize("law", ['solref=".03 .7" solimp=".8 .95 .002"', "", 'solref="-3000 -70"'])
+@pytest.mark.parametrize(
+    "law",
+    [
+        "",
+        'solref=".03 .7" solimp=".8 .95 .002"',
+        'solref="-3000 -70"',
+        'solimp="0 .1 .01"',
+        'solimp=".1 .9 .002 .2 3"',
+        'solimp=".2 .8 .001 .9 1"',
+        'solimp=".9 .5 .001"',
+        'solimp=".8 .95 0"',
+    ],
+)
 def test_penetrations_and_damping_follow_solref_and_solimp(
     shape: str, law: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, recwarn: Any
 ) -> None:
-    """The stiffness is that at zero penetration; MuJoCo has growing impedances, and the same stiffness at each point.
+    """A ball rests as deep as in MuJoCo, with the stiffness of MuJoCo's impedance there.
 
-    Its ball is between the penetrations of both impedances; its box has four springs.
+    A box rests on four springs in MuJoCo, and is less deep, but deeper than a quarter of the depth on one of them if the
+    impedance grows.
     """
     monkeypatch.chdir(tmp_path)
-    least, most = (0.8, 0.95) if "solimp" in law else (0.9, 0.95)
-    if "-" in law:
+    if 'solref="-' in law:
         per_mass, ratio = 3000.0, 70 / (2 * np.sqrt(3000))
     else:
-        time, ratio = (0.03, 0.7) if law else (0.02, 1.0)
+        time, ratio = (0.03, 0.7) if "solref" in law else (0.02, 1.0)
         per_mass = 1 / (time * ratio) ** 2
-    stiffness = [2 * per_mass * (d / most) ** 2 / (1 - d) for d in (least, most)]
     run = Run(tmp_path / "robot.xml", scene(free(shape), geom=law), "bodies", 1, 2000, recwarn)
+    assert run.told == []
     found = list(run.made["robot"].contacts.values())[1]
-    assert found.stiffness == pytest.approx(stiffness[0], rel=1e-12)
-    assert found.damping == pytest.approx(2 * ratio * np.sqrt(2 * stiffness[0]), rel=1e-12)
-    assert 0.1 - run.position[2] == pytest.approx(2 * G / stiffness[0], rel=2e-6)
-    deep = 0.1 - mujoco_rest(tmp_path / "robot.xml")[2]
-    points = 4 if "box" in shape else 1
-    assert 2 * G / stiffness[1] < points * deep < 2 * G / stiffness[0] * (1 + 1e-9)
+    assert found.damping == pytest.approx(2 * ratio * np.sqrt(2 * found.stiffness), rel=1e-12)
+    assert 0.1 - run.position[2] == pytest.approx(2 * G / found.stiffness, rel=2e-6)
+    _, made, data = rest_in_mujoco(tmp_path / "robot.xml")
+    deep = 0.1 - data.qpos[2]
+    if "box" in shape:
+        grows = ".9 .5" not in law
+        assert (4 * deep > 2 * G / found.stiffness * (1 - 1e-6)) == grows
+        assert deep < 2 * G / found.stiffness
+    else:
+        most, impedance = made.geom_solimp[1][1], data.efc_KBIP[0, 2]
+        assert deep == pytest.approx(2 * G / found.stiffness, rel=2e-6)
+        exact = 2 * per_mass * (impedance / most) ** 2 / (1 - impedance)
+        assert found.stiffness == pytest.approx(exact, rel=2e-6)
+
+
+@pytest.mark.parametrize(("gravity", "used"), [("0 0 -1.62", 1.62), ("0 0 0", G)])
+def test_depths_at_rest_are_those_of_the_gravity_of_the_file(gravity: str, used: float, tmp_path: Path) -> None:
+    """The impedance d of this law is 10 times the depth p up to 0.1 m, where stiffness times depth is the weight."""
+    text = scene(free('size=".1"'), option=f'gravity="{gravity}"', geom='solimp="0 .9999 .1 .5 1"')
+    (tmp_path / "robot.xml").write_text(text)
+    found = list(ReadRobot(tmp_path / "robot.xml", graphics=False, contacts=True).contacts.values())[1]
+    p = 2 * used / found.stiffness
+    d = 1e-4 + (0.9999 - 1e-4) * p / 0.1
+    assert found.stiffness == pytest.approx(2 * (d / 0.9999) ** 2 / (1 - d) / 0.02**2, rel=1e-9)
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -272,6 +302,33 @@ def test_many_free_bodies_have_one_general_contact(tmp_path: Path) -> None:
     assert [each.GetPythonObject()["numberOfSpheresMarkerBased"] for each in made["contacts"]] == [20]
 
 
+def test_free_bodies_with_forces_on_their_coordinates_are_refused(tmp_path: Path) -> None:
+    """Rigid bodies have no such coordinates. Links on a free body are no reason."""
+    text = '<mujoco><worldbody><body name="b"><freejoint name="f"/><geom size=".1"/></body></worldbody></mujoco>'
+    (tmp_path / "robot.xml").write_text(text)
+
+    def made(change: Any) -> Any:
+        robot = ReadRobot(tmp_path / "robot.xml", graphics=False)
+        change(robot)
+        mbs = exu.SystemContainer().AddSystem()
+        base = mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround())))
+        robot.CreateRedundantCoordinateMBS(mbs, base)
+        return mbs
+
+    def with_link(parent: int) -> Any:
+        return lambda robot: robot.AddLink(RobotLink(1.0, [0, 0, 0], np.eye(3), parent=parent))
+
+    assert made(lambda robot: None).systemData.NumberOfNodes() == 1
+    assert made(with_link(5)).systemData.NumberOfNodes() == 2
+    for change in (
+        with_link(2),
+        lambda robot: robot.AddActuator(RobotActuator("drive", "f:2")),
+        lambda robot: setattr(robot.links[5], "damping", 3.0),
+    ):
+        with pytest.raises(ValueError, match="link 0 '' has no mass, which needs the coordinates of the joints"):
+            made(change)
+
+
 def test_effective_masses_are_those_of_mujoco(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The mass of a link that turns about its centre of mass is its own."""
     monkeypatch.chdir(tmp_path)
@@ -391,13 +448,19 @@ def test_wrong_contacts_are_refused(tmp_path: Path) -> None:
     for change, text in (
         ({"shape": "cone"}, "RobotContact 's': shape: .*expected one of sphere, box, cylinder, capsule, plane"),
         ({"size": [0.1, 0.2]}, "RobotContact 's': size"),
-        ({"size": [-0.1]}, "RobotContact 's': size: .*positive numbers"),
+        ({"size": [-0.1]}, "RobotContact 's': size: .*positive finite numbers"),
+        ({"size": [np.nan]}, "RobotContact 's': size: .*positive finite numbers"),
+        ({"stiffness": "stiff"}, "RobotContact 's': stiffness: expected a finite number, received 'stiff'"),
+        ({"groups": 2**33}, "RobotContact 's': groups: expected an integer from -2147483648 to 4294967295"),
         ({"stiffness": 0.0}, "RobotContact 's': stiffness: .*a positive number, or infinity for a rigid shape"),
         ({"damping": -1.0}, "RobotContact 's': damping"),
         ({"HT": np.eye(3)}, "RobotContact 's': HT"),
     ):
         with pytest.raises(ValueError, match=text):
             RobotContact(**{"name": "s", "frame": "a", "shape": "sphere", "size": [0.1], **change})
+    for wrong in ({"groups": 1.5}, {"partners": "all"}, {"smooth": "no"}):
+        with pytest.raises(TypeError, match=f"RobotContact 's': {next(iter(wrong))}: expected an? (integer|bool)"):
+            RobotContact("s", "a", "sphere", [0.1], **wrong)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="there is no link or joint 'b'"):
         robot.AddContact(RobotContact("s", "b", "sphere", [0.1]))
     with pytest.raises(ValueError, match="there is no link or joint 'b'"):

@@ -371,6 +371,7 @@ WRONG_MJCF = {
     "line 12: <body>: expected one way to give a rotation, received euler, quat": ('euler="10 20 30"', 'euler="10 20 30" quat="1 0 0 0"'),
     "line 13: <joint>: range: expected two numbers that grow, received 90 and -90": ('range="-90 90"', 'range="90 -90"'),
     "line 35: <geom>: mesh: there is no <mesh name='bar'> among the assets": ('<geom type="sphere" size="0.1"/>', '<geom type="mesh" mesh="bar"/>'),
+    "line 35: <geom>: mesh: MuJoCo fits a sphere to this mesh, .* use type='mesh'": ('<geom type="sphere" size="0.1"/>', '<geom mesh="bar"/>'),
     "line 4: <include>: there is no file 'more.xml'": ("<default>", '<include file="more.xml"/><default>'),
 }  # fmt: skip
 

@@ -59,6 +59,7 @@ def Draw(
         check_image_name(fileName, "Draw: fileName")
     if around is not None:
         around = [index_of(mbs, "Object", item, "Draw: around") for item in np.atleast_1d(np.asarray(around, object))]
+    _check_flags("Draw", forces, floor)
     studio = Studio(mbs.GetSystemContainer(), [mbs])
     studio.show(forces, floor)
     scene = studio.scene(configuration)
@@ -102,6 +103,7 @@ def DrawSolution(
         check_name(Path(fileName), "DrawSolution: fileName")
     else:
         check_image_name(name_of(0), "DrawSolution: fileName")
+    _check_flags("DrawSolution", forces, floor)
     size = None if windowSize is None else _size(windowSize, "DrawSolution")
     motion = Motion(mbs, "DrawSolution", solution, framesPerSecond, speed, view, size, zoom, forces=forces, floor=floor)
     if name_of is not None:
@@ -109,6 +111,13 @@ def DrawSolution(
             save_image(image, name_of(number))
     else:
         save_film(motion.images(), fileName, framesPerSecond)
+
+
+def _check_flags(caller: str, forces: Any, floor: Any) -> None:
+    """Raise the ValueError for arguments that are neither True nor False nor None."""
+    for name, value in (("forces", forces), ("floor", floor)):
+        if value is not None and not isinstance(value, (bool, np.bool_)):
+            raise shape_error(f"{caller}: {name}", "True, False, or None for the setting of the renderer", value)
 
 
 def around(scenes: list[Scene], box_of: Callable[[Scene], FloatArray | None] | None = None) -> Scene:

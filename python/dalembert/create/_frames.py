@@ -244,23 +244,37 @@ def require_axis_of_plane(mbs: Any, function: str, place: JointPlace, axis: Floa
     )
 
 
-def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray) -> None:
-    """Raise the ValueError for a rotation that a revolute or prismatic joint between two bodies does not allow."""
+def require_axis_of_joint(mbs: Any, function: str, bodies: Sequence[Any], axis: FloatArray, is_rotation: bool) -> None:
+    """Raise the ValueError for a rotation or translation that a joint between two bodies does not allow.
+
+    Joints are revolute, prismatic and fixed ones. The axis is given in the global frame. Joints that are switched off
+    allow any motion. Points of bodies on a hinge may also be driven in other directions.
+    """
     wanted = {int(number) for number in bodies if not isinstance(number, MarkerIndex)}
     if len(wanted) != 2:
         return
     for number in mbs._ConstraintsBetween(list(wanted)):
         joint = mbs.GetObject(number)
-        if joint["objectType"] not in ("JointRevoluteZ", "JointPrismaticX"):
+        kind = joint["objectType"]
+        if kind not in ("JointRevoluteZ", "JointPrismaticX", "JointGeneric") or not joint["activeConnector"]:
             continue
         text = f"joint {number} '{joint['name']}' between these bodies"
-        if joint["objectType"] == "JointPrismaticX":
+        if kind == "JointGeneric":
+            if all(joint["constrainedAxes"]) and not joint["offsetUserFunction"]:
+                expected = f"bodies that can move, which the fixed {text} does not allow"
+                raise argument_error(function, "bodyNumbers", expected, bodies)
+            continue
+        if kind == "JointPrismaticX" and is_rotation:
             expected = f"bodies that can turn, which the prismatic {text} does not allow"
             raise argument_error(function, "bodyNumbers", expected, bodies)
         body = mbs.GetMarker(joint["markerNumbers"][0])["bodyNumber"]
-        along = (reference_rotation(mbs, body) @ joint["rotationMarker0"])[:, 2]
-        if np.linalg.norm(np.cross(along, axis)) > 1e-6 * np.linalg.norm(axis):
-            raise argument_error(function, "axis", f"the axis {along.round(6)} of {text}", axis.tolist())
+        frame = reference_rotation(mbs, body) @ joint["rotationMarker0"]
+        along = frame[:, 0 if kind == "JointPrismaticX" else 2]
+        expected = f"the axis {along.round(6) + 0.0} (global frame) of {text}"  # + 0.0: no negative zeros
+        if is_rotation and np.linalg.norm(np.cross(along, axis)) > 1e-6 * np.linalg.norm(axis):
+            raise argument_error(function, "axis", expected, axis.tolist())
+        if kind == "JointPrismaticX" and abs(along @ axis) < 1e-6 * np.linalg.norm(axis):
+            raise argument_error(function, "axis", expected, axis.tolist())
 
 
 def add_joint_markers(mbs: Any, place: JointPlace, name: str, rigid: bool = True) -> list[Any]:

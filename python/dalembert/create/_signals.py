@@ -148,7 +148,7 @@ def signal(function: str, argument: str, given: Any, smooth: bool, ramp: float =
     else:
         rows = table_of(function, argument, given)
         if smooth:
-            _warn_of_overshoot(argument, rows)
+            _warn_of_overshoot(function, argument, rows)
 
         def of_time(t: Any) -> Any:
             return laws.interpolate(t, rows[:, 0], rows[:, 1], smooth)
@@ -171,7 +171,7 @@ def _called(function: str, argument: str, given: Callable[[Any], Any], t: Any) -
     return value
 
 
-def _warn_of_overshoot(argument: str, rows: FloatArray) -> None:
+def _warn_of_overshoot(function: str, argument: str, rows: FloatArray) -> None:
     """Warn of a spline that goes far beyond the values of its table, as it does at corners between long parts."""
     times, values = rows.T
     fine = np.unique(np.concatenate([np.linspace(a, b, _SAMPLES) for a, b in pairwise(times)]))
@@ -181,8 +181,9 @@ def _warn_of_overshoot(argument: str, rows: FloatArray) -> None:
     if beyond.max() > _OVERSHOOT * (high - low) and high > low:
         at = int(beyond.argmax())
         text = (
-            f"{argument}: the spline through the table reaches {curve[at]:.4g} at t = {fine[at]:.4g} s, beyond its "
-            f"values from {low:.4g} to {high:.4g}. Add rows near corners, or use smooth=False for lines between rows"
+            f"{function}: {argument}: the spline through the table reaches {curve[at]:.4g} at t = {fine[at]:.4g} s, "
+            f"beyond its values from {low:.4g} to {high:.4g}. Add rows near corners, or use smooth=False for lines "
+            "between rows"
         )
         warnings.warn(text, stacklevel=6)
 

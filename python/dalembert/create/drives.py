@@ -80,8 +80,7 @@ class _Axis:
                 expected = "a rigid body, such as a sphere, because a mass point has no orientation"
                 raise argument_error(function, f"bodyNumbers[{i}]", expected, mbs.GetObject(number)["name"])
         require_axis_of_plane(mbs, function, place, place.to_global(axis, useGlobalFrame), normal=is_rotation)
-        if is_rotation:
-            require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame))
+        require_axis_of_joint(mbs, function, bodyNumbers, place.to_global(axis, useGlobalFrame), is_rotation)
         frames = place.local_frames(frame_with_z(place.to_global(axis, useGlobalFrame)))
         self.frames: dict[str, Any] = {"rotationMarker0": frames[0], "rotationMarker1": frames[1]}
         self._mbs, self._place, self._name = mbs, place, name
@@ -334,8 +333,8 @@ def _force(
 ) -> Any:  # fmt: skip
     if not any(direction):
         raise argument_error(function, "direction", "a vector with 3 components that is not zero", direction)
-    if isinstance(table, (int, float)) and table == 0:
-        raise argument_error(function, "table", f"{SIGNAL}, which is not zero", table)
+    if table is None:
+        raise argument_error(function, "table", SIGNAL, table)
     along = np.asarray(direction, dtype=float) / np.linalg.norm(direction)
     value = signal(function, "table", table, smooth)
     name_of_item = item.__name__
@@ -361,7 +360,7 @@ def CreateForceFromTable(
     mbs: MainSystem,
     name: str = "",
     bodyNumber: Connected | None = None,
-    table: Signal = 0.0,
+    table: Signal | None = None,
     direction: Vector = [1, 0, 0],
     localPosition: Vector = ZERO3,
     bodyFixed: bool = False,
@@ -384,7 +383,7 @@ def CreateTorqueFromTable(
     mbs: MainSystem,
     name: str = "",
     bodyNumber: Connected | None = None,
-    table: Signal = 0.0,
+    table: Signal | None = None,
     direction: Vector = [0, 0, 1],
     bodyFixed: bool = False,
     smooth: bool = False,

@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from dalembert._checks import FloatArray, as_number, as_transformation, as_vector, shape_error
+from dalembert._checks import (
+    FloatArray,
+    as_number,
+    as_transformation,
+    as_vector,
+    check_integer,
+    check_type,
+    shape_error,
+)
 from dalembert.robotics._tendons import AddMarker, place_of
 
 if TYPE_CHECKING:
@@ -50,12 +58,15 @@ class RobotContact:
         if self.shape not in _SIZES:
             raise shape_error(f"{where}: shape", f"one of {', '.join(_SIZES)}", self.shape)
         sizes = as_vector(f"{where}: size", self.size, _SIZES[self.shape])
-        if (sizes <= 0).any():
-            raise shape_error(f"{where}: size", "positive numbers", self.size)
+        if not ((sizes > 0) & np.isfinite(sizes)).all():
+            raise shape_error(f"{where}: size", "positive finite numbers", self.size)
         for what in ("damping", "friction"):
             as_number(f"{where}: {what}", getattr(self, what), negative=False)
-        if not self.stiffness > 0:
+        if self.stiffness != np.inf and as_number(f"{where}: stiffness", self.stiffness) <= 0:
             raise shape_error(f"{where}: stiffness", "a positive number, or infinity for a rigid shape", self.stiffness)
+        for what in ("groups", "partners"):
+            check_integer(f"{where}: {what}", getattr(self, what), -(2**31), 2**32 - 1)
+        check_type(f"{where}: smooth", self.smooth, bool)
         self.HT = np.eye(4) if self.HT is None else as_transformation(f"{where}: HT", self.HT).copy()
 
 

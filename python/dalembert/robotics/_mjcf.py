@@ -37,7 +37,7 @@ _SAME_VOLUME = 1e-6  # relative differences between ways to weigh meshes that do
 
 def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, FloatArray]:
     """Return the shape of a geom and its pose; None for shapes without a finite extent."""
-    kind = geom.text("type", "mesh" if "mesh" in geom.attributes and "type" not in geom.attributes else "sphere")
+    kind = geom.text("type", "sphere")
     place = compiler.place(geom)
     if kind in _UNSHAPED:
         return None, place
@@ -45,6 +45,11 @@ def _shape(geom: Element, compiler: Compiler) -> tuple[_shapes.Shape | None, Flo
         return compiler.mesh(geom), place
     if kind not in _SIZES:
         geom.fail(f"type: expected one of {', '.join([*_SIZES, 'mesh', *_UNSHAPED])}, received '{kind}'")
+    if "mesh" in geom.attributes:
+        geom.fail(
+            f"mesh: MuJoCo fits a {kind} to this mesh, because its type is '{kind}' (default: 'sphere'), which is not "
+            "supported; use type='mesh', or remove mesh and give size"
+        )
     if "fromto" in geom.attributes and kind != "sphere":
         start, end = geom.numbers("fromto", 6).reshape(2, 3)
         place = translated(0.5 * (start + end)) @ turned(compiler.from_z(start - end, geom))
@@ -116,7 +121,7 @@ class _Reader:
     def _geom(self, geom: Element, T: FloatArray, body: Body, needs_inertia: bool) -> RigidBodyInertia:
         """Draw a geom, and return its inertia if it counts."""
         compiler = self.compiler.of(geom)
-        kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
+        kind = geom.text("type", "sphere")
         needs_inertia = needs_inertia and int(geom.number("group", "0")) in compiler.weighed_groups
         if needs_inertia and kind == "sdf":
             self.notes.add("mass of geoms of type sdf of bodies", body.name)
