@@ -1480,7 +1480,7 @@ constexpr std::array<std::string_view, 14> ObjectJointGeneric_rows{
     "False switches the item off, also while a solver runs: no force; the equations of a constraint become those that set its multipliers to zero",
     "six values that are passed to the user functions, of free meaning",
     "Python function that prescribes relative translation and rotation in the constrained directions, on position level",
-    "Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators",
+    "Python function, the time derivative of ``offsetUserFunction``; index 2 integrators follow it alone",
     "True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; experimental",
     "False: the item is not drawn",
     "radius of the drawn axes",

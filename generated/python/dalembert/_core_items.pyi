@@ -4584,7 +4584,7 @@ class ObjectJointGeneric(_Object):
     offsetUserFunction: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
     """Python function that prescribes relative translation and rotation in the constrained directions, on position level"""
     offsetUserFunction_t: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]
-    """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
+    """Python function, the time derivative of ``offsetUserFunction``; index 2 integrators follow it alone"""
     alternativeConstraints: bool
     """True: other equations for three constrained rotations, which keep static solutions from flipping by half a turn; experimental"""
     @property

@@ -7552,12 +7552,12 @@ class ObjectJointGeneric(ObjectHandle):
     def offsetUserFunction(self, value: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]) -> None: ...
     @property
     def offset_user_function_t(self) -> Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]:
-        """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
+        """Python function, the time derivative of ``offsetUserFunction``; index 2 integrators follow it alone"""
     @offset_user_function_t.setter
     def offset_user_function_t(self, value: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]) -> None: ...
     @property
     def offsetUserFunction_t(self) -> Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]:
-        """Python function, the time derivative of ``offsetUserFunction``; a joint with this function is refused on velocity level, that is by index 2 integrators"""
+        """Python function, the time derivative of ``offsetUserFunction``; index 2 integrators follow it alone"""
     @offsetUserFunction_t.setter
     def offsetUserFunction_t(self, value: Callable[[MainSystem, float, int, Array], ArrayLike] | Literal[0]) -> None: ...
     @property

@@ -44,6 +44,10 @@ ConstraintRates constraint_rates(System& system, const State& state, const Condi
 std::vector<double> rates_of_gaps(System& system, const State& state, const Conditions& conditions, double latest,
                                   std::span<const char> of_velocities);
 
+// Equations whose gaps user functions move in time between `start` and this state, with rates that are always zero.
+std::vector<int> equations_without_rates(System& system, const State& state, const Conditions& conditions,
+                                         double start);
+
 // "2 constraint equations:", and a line for each of the first ones.
 std::string listed(const std::vector<OpenConstraint>& open, const System& system);
 

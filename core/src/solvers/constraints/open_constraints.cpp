@@ -52,8 +52,8 @@ std::vector<double> rates_of_gaps(System& system, const State& state, const Cond
   system.gaps(moved, rate, rates);
   if (conditions.rate_level) return rates;  // the solver enforces these rates
   // User functions may be undefined before the start or after the end: one-sided differences of second order.
-  const double length = 1e-5 * std::max(1.0, std::abs(state.time)),
-               step = state.time + 2 * length > latest ? -length : length;
+  const double length = 1e-6 * std::sqrt(std::max(1.0, std::abs(state.time))),
+               side = state.time + 2 * length > latest ? -length : length, step = (state.time + side) - state.time;
   const auto gaps_after = [&](double time, std::vector<double>& gaps) {
     moved.time = state.time + time;
     system.gaps(moved, position, gaps);
@@ -64,13 +64,34 @@ std::vector<double> rates_of_gaps(System& system, const State& state, const Cond
   const auto is_driven = [&](std::size_t k) {
     return !of_velocities[k] && (after[k] != before[k] || later[k] != before[k]);
   };
-  // Rates are linear in the velocities; the rest of them is prescribed in time.
+  // Rates are linear in the velocities; the rest of them is prescribed in time, by a function of its own if it is not zero.
   moved.time = state.time;
   std::ranges::fill(moved.v, 0.0);
   system.gaps(moved, rate, at_rest);
   for (std::size_t k = 0; k < n; ++k)
-    if (is_driven(k)) rates[k] += (4 * after[k] - 3 * before[k] - later[k]) / (2 * step) - at_rest[k];
+    if (is_driven(k) && at_rest[k] == 0) rates[k] += (4 * after[k] - 3 * before[k] - later[k]) / (2 * step);
   return rates;
+}
+
+std::vector<int> equations_without_rates(System& system, const State& state, const Conditions& conditions,
+                                         double start) {
+  constexpr int samples = 8;
+  const auto n = static_cast<std::size_t>(system.sizes().ae);
+  std::vector<double> gaps(n), first(n), rates(n);
+  std::vector<char> moves(n, 0), has_rate(n, 0);
+  State still = without_multipliers(state);
+  std::ranges::fill(still.v, 0.0);
+  for (int i = 0; i < samples; ++i) {
+    still.time = state.time + (start - state.time) * i / samples;
+    system.gaps(still, at_level(conditions, false), gaps);
+    system.gaps(still, at_level(conditions, true), rates);
+    if (i == 0) first = gaps;
+    for (std::size_t k = 0; k < n; ++k) moves[k] |= gaps[k] != first[k], has_rate[k] |= rates[k] != 0;
+  }
+  std::vector<int> found;
+  for (std::size_t k = 0; k < n; ++k)
+    if (moves[k] && !has_rate[k]) found.push_back(static_cast<int>(k));
+  return found;
 }
 
 ConstraintRates constraint_rates(System& system, const State& state, const Conditions& conditions, double latest) {

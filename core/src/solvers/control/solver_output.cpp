@@ -199,6 +199,14 @@ void Solver::look_back() {
       is_static() ? angles_.doubts_of_equilibrium(*system_) : angles_.doubts(it.automaticStepSize);
   std::ranges::copy(rebounds_.doubts([this](const Switch& at) { return events_->describe_switch(at); }),
                     std::back_inserter(observed));
+  if (conditions_.rate_level && !is_static() && system_->calls_user_functions()) {
+    const std::vector<int> found = equations_without_rates(*system_, current(), conditions_, it.startTime);
+    if (!found.empty())
+      observed.push_back(
+          system_->describe_row(sizes_.first_ae() + found.front()) +
+          ": a function of time moves the position, but its rate is zero, and index 2 solvers follow the "
+          "rate. Give offsetUserFunction_t as well, or use a solver that keeps positions");
+  }
   for (std::string& doubt : observed) {
     if (!verbose(1)) warn(doubt);
     doubts_.push_back(std::move(doubt));
