@@ -27,10 +27,14 @@ DenseLu::DenseLu(int size, const LinearSolverOptions& options)
 [[gnu::flatten]] int DenseLu::factorize(std::span<const double> values) {
   ++statistics_.factorizations;
   if (searched_ && repeat(values)) return success;
+  return factorize_anew(values);
+}
+
+[[gnu::noinline]] int DenseLu::factorize_anew(std::span<const double> values) {
   const int failed = search(values);
   searched_ = failed == success;
   if (!searched_ || size_ <= tiny) return failed;
-  list_ = find_list();
+  use(find_list());
   is_listed() ? factorize_repeated(values) : factorize_whole(values);  // same rounding as in later factorizations
   return failed;
 }
@@ -42,6 +46,11 @@ DenseLu::Listed* DenseLu::find_list() {
   return found == lists_.end() ? nullptr : &*found;
 }
 
+void DenseLu::use(Listed* list) {
+  list_ = list;
+  operations_ = list != nullptr && list->operations ? &*list->operations : nullptr;
+}
+
 [[gnu::noinline]] void DenseLu::list_operations(std::span<const double> values) {
   if (list_ == nullptr) {
     lists_.reserve(most_lists);
@@ -50,6 +59,7 @@ DenseLu::Listed* DenseLu::find_list() {
     list_->row_of_step = row_of_step_;
   }
   list_->operations.reset();
+  use(list_);
   if (!may_be_listed()) return;
   occupied_.resize(values.size());
   for (int j = 0; j < size_; ++j)
@@ -57,15 +67,16 @@ DenseLu::Listed* DenseLu::find_list() {
       if (values[j * size_ + i] != 0) occupied_[j * size_ + i] = occupied_[i * size_ + j] = true;
   list_->operations.emplace(row_of_step_, occupied_);
   if (!list_->operations->pays()) list_->operations.reset();
+  use(list_);
 }
 
 double DenseLu::factorize_repeated(std::span<const double> values) {
-  const auto taken = [&] { return kernels_.take_listed(*list_->operations, values.data(), factors_.data()); };
-  if (list_ == nullptr || (is_listed() && !taken())) {
+  const auto taken = [&] { return is_listed() && kernels_.take_listed(*operations_, values.data(), factors_.data()); };
+  if (!taken() && (is_listed() || list_ == nullptr)) {
     list_operations(values);
-    if (is_listed()) taken();
+    taken();
   }
-  return is_listed() ? kernels_.factorize_listed(*list_->operations, factors_.data(), inverse_pivot_.data())
+  return is_listed() ? kernels_.factorize_listed(*operations_, factors_.data(), inverse_pivot_.data())
                      : factorize_whole(values);
 }
 
@@ -138,7 +149,7 @@ void DenseLu::solve(std::span<double> x) {
   if (size_ <= tiny) {
     solve_tiny(w);
   } else if (is_listed()) {
-    kernels_.solve_listed(*list_->operations, factors_.data(), inverse_pivot_.data(), w);
+    kernels_.solve_listed(*operations_, factors_.data(), inverse_pivot_.data(), w);
   } else {
     kernels_.eliminate(factors_.data(), size_, length_, w, 1);
     kernels_.substitute(factors_.data(), size_, length_, inverse_pivot_.data(), w);

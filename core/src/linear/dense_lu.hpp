@@ -31,10 +31,12 @@ class DenseLu final : public LinearSolver {
 
  private:
   struct Listed;
+  int factorize_anew(std::span<const double> values);
   int search(std::span<const double> values);
   bool repeat(std::span<const double> values);
   Listed* find_list();
-  bool is_listed() const { return list_ != nullptr && list_->operations.has_value(); }
+  void use(Listed* list);
+  bool is_listed() const { return operations_ != nullptr; }
   void list_operations(std::span<const double> values);
   double factorize_repeated(std::span<const double> values);
   double factorize_whole(std::span<const double> values);
@@ -59,6 +61,7 @@ class DenseLu final : public LinearSolver {
   std::vector<Listed> lists_;
   std::size_t made_ = 0;    // lists; more than `most_lists` replace the first ones
   Listed* list_ = nullptr;  // of this order; null: it is made when a matrix comes again
+  const EliminationList* operations_ = nullptr;  // of this list
   LinearSolverStatistics statistics_;
 };
 

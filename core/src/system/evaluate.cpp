@@ -159,6 +159,10 @@ DALEMBERT_INLINE inline void begin_residual(SystemParts& parts, const RegionPlan
   });
 }
 
+[[gnu::noinline, gnu::cold]] void add_pull(const SystemParts& parts, double* r) {
+  for (const auto& [row, value] : parts.pull_forces) r[row] -= value;
+}
+
 enum class Rows { all, algebraic };
 template <Rows rows = Rows::all>
 DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation& e, double* r, bool loads = true) {
@@ -179,7 +183,8 @@ DALEMBERT_INLINE inline void find_residual(SystemParts& parts, const Evaluation&
     each(region.nodes, pull_back);
   });
   for (int i = 0; i < parts.sizes.ode1; ++i) r[parts.sizes.ode2 + i] -= e.y_t[i];
-  for (const auto& [row, value] : parts.pull_forces) r[row] -= value;
+  if (parts.is_pulled) [[unlikely]]
+    add_pull(parts, r);
 }
 
 void clear_columns(const RegionPlan& region, const Pattern& pattern, double* values) {

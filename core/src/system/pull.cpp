@@ -144,9 +144,9 @@ Vec3<double> System::position_of(const Grip& grip, ConfigurationType configurati
 void System::pull(const std::optional<Pull>& pull) {
   parts_->pull = pull;
   parts_->pull_forces.clear();
+  pulled_ = pull.has_value();
+  parts_->is_pulled = false;
 }
-
-bool System::is_pulled() const { return parts_->pull.has_value(); }
 
 void System::renew_pull(const State& state, double step_size) {
   SystemParts& parts = *parts_;
@@ -162,6 +162,7 @@ void System::renew_pull(const State& state, double step_size) {
   const double frequency = std::min(std::sqrt(strength), largest_product / step_size);
   const Vec3<double> force = mass * frequency * (frequency * (target - point.position) - 2.0 * point.velocity);
   parts.pull_forces.clear();
+  parts.is_pulled = true;
   for (std::size_t i = 0; i < rows.size(); ++i) parts.pull_forces.push_back({rows[i], dot(velocities[i], force)});
 }
 

@@ -36,7 +36,7 @@ void System::assemble(const Model& model, const Division& division) {
   states_ = parts_->states.data();
   assembled_ = true;
   late_ = nullptr;
-  searches_ = false;
+  searches_ = pulled_ = false;
   for (std::size_t i = 0; i < model.term_sources().size(); ++i) {
     add(model.term_sources()[i]->make_term(parts_->ports, model.term_name(i)));
     parts_->system_terms.back()->enter(*this, model);

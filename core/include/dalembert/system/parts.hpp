@@ -225,6 +225,7 @@ struct SystemParts {
   bool needs_totals = true;              // there,
   bool knows_needed_markers = false;  // for the current parameters
   bool knows_terms_with_equations = false;
+  bool is_pulled = false;  // there are forces of a pull
   bool loads_are_sorted = true;  // into constant and other loads, for the current parameters
   // user functions may only be called by the thread of the solver, which then evaluates everything
   bool functions_in_regions = false;

@@ -271,7 +271,7 @@ class System {
   Vec3<double> position_of(const Grip& grip, ConfigurationType configuration);
   // Acts from the next step until it is replaced; empty: no pull.
   void pull(const std::optional<Pull>& pull);
-  bool is_pulled() const;
+  bool is_pulled() const { return pulled_; }
   void renew_pull(const State& state, double step_size);  // forces of the step that begins at this state
 
   // The value of a load depends on these coordinates, besides those that it acts on.
@@ -314,7 +314,7 @@ class System {
   mutable bool lent_ = false;  // who holds the states may have changed them without asking for them
   int evaluations_ = 0;
   int pattern_revisions_ = 0;
-  bool searches_ = false, forgotten_ = false;
+  bool searches_ = false, forgotten_ = false, pulled_ = false;
 };
 
 }  // namespace dalembert

@@ -26,31 +26,43 @@ void require_duration(double start_time, double end_time) {
 namespace {
 
 struct Idle {
-  std::string path;
   std::size_t offset;  // offset in SimulationSettings
   Storage storage;
   const SettingRule* rule;
   std::vector<std::size_t> flags;  // offsets of flags: the setting acts if one of them is set
 };
 
-void collect(const SettingsGroup& group, const std::string& path, std::size_t offset, std::vector<Idle>& found) {
+void collect(const SettingsGroup& group, std::size_t offset, std::vector<Idle>& found) {
   for (const SettingRule& rule : group.rules) {
     if (rule.no_effect.empty() && rule.acts_with.empty()) continue;
     const auto row = [&group](std::string_view name) -> const Row& {
       return *std::ranges::find(group.rows, name, &Row::name);
     };
-    Idle& idle = found.emplace_back(path + std::string(rule.name), offset + row(rule.name).offset,
-                                    row(rule.name).storage, &rule);
+    const Row& own = row(rule.name);
+    Idle& idle = found.emplace_back(offset + own.offset, own.storage, &rule);
     for (const std::string_view flag : rule.acts_with) idle.flags.push_back(offset + row(flag).offset);
   }
-  for (const SettingsChild& child : group.children)
-    collect(*child.group, path + std::string(child.name) + ".", offset + child.offset, found);
+  for (const SettingsChild& child : group.children) collect(*child.group, offset + child.offset, found);
 }
 
 std::vector<Idle> all_without_effect() {
   std::vector<Idle> found;
-  collect(simulation_settings_group(), "simulationSettings.", 0, found);
+  collect(simulation_settings_group(), 0, found);
   return found;
+}
+
+// The path of a setting below a group; empty: it is not there.
+std::string path_of(const Idle& setting, const SettingsGroup& group, std::size_t offset) {
+  for (const SettingRule& rule : group.rules) {
+    if (&rule != setting.rule) continue;
+    const Row& row = *std::ranges::find(group.rows, rule.name, &Row::name);
+    if (offset + row.offset == setting.offset) return std::string(rule.name);  // groups may occur several times
+  }
+  for (const SettingsChild& child : group.children) {
+    const std::string path = path_of(setting, *child.group, offset + child.offset);
+    if (!path.empty()) return std::string(child.name) + "." + path;
+  }
+  return "";
 }
 
 bool equal(const Idle& setting, const SimulationSettings& a, const SimulationSettings& b) {
@@ -85,10 +97,11 @@ void tell_settings_without_effect(const SimulationSettings& settings,
   static const SimulationSettings defaults;
   if (!warn) return;
   for (const Idle& setting : idle) {
-    if (!equal(setting, settings, defaults) && !acts(setting, settings) && is_new(setting.path))
-      warn(
-          setting.path + " has no effect: " +
-          (setting.rule->no_effect.empty() ? "it " + setting.rule->condition() : std::string(setting.rule->no_effect)));
+    if (equal(setting, settings, defaults) || acts(setting, settings)) continue;
+    const std::string path = "simulationSettings." + path_of(setting, simulation_settings_group(), 0);
+    if (!is_new(path)) continue;
+    const SettingRule& rule = *setting.rule;
+    warn(path + " has no effect: " + (rule.no_effect.empty() ? "it " + rule.condition() : std::string(rule.no_effect)));
   }
 }
 
