@@ -23,7 +23,7 @@ from dalembert.robotics._mjcf_elements import (
 from dalembert.robotics._xml import Element, read
 
 _SECTIONS = ("tendon", "equality", "actuator", "contact", "keyframe")
-# What attributes of elements in these sections name; several attributes with a number are possible.
+# Attributes of elements in these sections, by the kind of item that they name.
 _NAMED = {
     "joint": ("joint", "joint1", "joint2", "jointinparent"),
     "body": ("body", "body1", "body2"),
