@@ -157,7 +157,7 @@ class Scene:
         return moving if wide else objects
 
     def extent(self) -> FloatArray | None:
-        """Return the smallest and largest coordinates of all parts; None if there are none."""
+        """Return the smallest and largest coordinates of all parts, or None if the scene is empty."""
         return self._corners(np.ones(len(self.items) + 1, bool))
 
     def box_of(self, objects: list[int]) -> FloatArray | None:

@@ -76,7 +76,7 @@ def included(element: Element, folder: Path) -> Element:
 
 
 def limited_range(element: Element, compiler: Compiler, name: str, limited: str) -> tuple[float, float] | None:
-    """Return two numbers of an attribute; None unless another attribute, or its presence, says that they limit."""
+    """Return the two limits of an attribute, or None if neither another attribute nor its presence makes them act."""
     given = element.text(limited, "auto")
     if given == "false" or (given == "auto" and not (compiler.of(element).autolimits and name in element.attributes)):
         return None
